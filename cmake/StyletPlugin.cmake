@@ -1,0 +1,24 @@
+# stylet_add_plugin(NAME): the whole of a plugin's CMakeLists.txt. Builds NAME.cpp (and any further SOURCES) into NAME.so in the plugin
+# folder; where tests are built and NAME_test.cpp exists, builds that too, with the plugin's class, the contract tests and GoogleTest.
+function(stylet_add_plugin name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
+  add_library(${name} MODULE ${name}.cpp ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE Stylet::sdk ${arg_LIBRARIES})
+  target_link_options(${name} PRIVATE -Wl,-z,defs)
+  set_target_properties(${name} PROPERTIES PREFIX "" SUFFIX ".so" CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
+    LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib/stylet/plugins)
+  if(STYLET_SANITIZE)
+    target_link_options(${name} PRIVATE -Wl,-z,undefs)    # the sanitizer's runtime lives in the executable
+  endif()
+  if(COMMAND stylet_reuse_headers)
+    stylet_reuse_headers(${name})
+  endif()
+  install(TARGETS ${name} LIBRARY DESTINATION lib/stylet/plugins)
+  if(STYLET_TESTS AND EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${name}_test.cpp)
+    add_executable(${name}_test ${name}_test.cpp)
+    target_link_libraries(${name}_test PRIVATE Stylet::contract ${arg_LIBRARIES})
+    add_dependencies(${name}_test ${name})
+    target_compile_definitions(${name}_test PRIVATE STYLET_PLUGIN_FILE="$<TARGET_FILE:${name}>")
+    gtest_discover_tests(${name}_test TEST_PREFIX "plugins/${name}: " DISCOVERY_TIMEOUT 60)
+  endif()
+endfunction()

@@ -1,0 +1,52 @@
+// What a whole run came to.
+#pragma once
+
+#include "core/run/sample.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace stylet::core {
+
+struct EventReport {
+    std::string name;
+    double time;          // [s]
+    double travel;        // [m]
+    double depth;         // [m]
+    double hand_force;    // [N]
+};
+
+struct BucklingReport {
+    double time;             // [s]
+    double force;            // [N]
+    double critical_load;    // [N]
+};
+
+struct LedgerReport {
+    double peak_work = 0.0;    // [J] largest amount of hand work on the way
+    double relative = 0.0;     // largest |residual| on the way, over peak_work
+    double relative_pushing = 0.0;    // the same until the first puncture
+    Sample totals;
+};
+
+struct TickReport {
+    double median = 0.0, p99 = 0.0, max = 0.0;    // [µs] wall time, after a warm-up
+};
+
+struct RunReport {
+    std::string title;
+    std::string hash;
+    std::vector<EventReport> events;
+    double peak_hand_force = 0.0;    // [N]
+    double largest_deflection = 0.0; // [m]
+    std::vector<BucklingReport> buckling;
+    LedgerReport ledger;
+    TickReport tick_us;
+    std::size_t ticks = 0;
+    double duration = 0.0;           // [s]
+    std::size_t dropped_rows = 0;    // samples that the recorder's ring had no room for
+    std::vector<std::string> libraries;
+};
+
+}  // namespace stylet::core

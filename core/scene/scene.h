@@ -1,0 +1,54 @@
+// A scene as read: every value checked, in SI. Nothing here knows YAML, and nothing here is loaded yet.
+#pragma once
+
+#include <stylet/setup.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stylet::core {
+
+/// Where something stands in a scene; line and column count from 1, both 0 where a `--set` put it.
+struct Place {
+    std::string file;
+    int line = 0;
+    int column = 0;
+};
+
+/// A plugin that the scene names, with its parameters.
+struct Choice {
+    std::string type;
+    std::string path;    // in the scene, for instance effects[1]
+    Place place;
+    Parameters parameters;
+};
+
+struct RunSetup {
+    double rate;                       // [Hz]
+    std::optional<double> duration;    // [s]; absent: as long as the device's motion
+
+    [[nodiscard]] double dt() const { return 1.0 / rate; }    // [s]
+};
+
+struct Scene {
+    std::filesystem::path file;
+    std::string title;
+    std::string hash;    // SHA-1 of the scene's text with its overrides and of every file that it names
+
+    Choice tissue;
+    TissueSetup tissue_setup;
+    Choice needle;
+    NeedleSetup needle_setup;
+    std::optional<Choice> buckling;
+    std::vector<Choice> effects;
+    Choice device;
+    std::optional<double> force_limit;    // [N] lower than the device's own
+
+    double contact_spacing;    // [m]
+    RunSetup run;
+    std::vector<std::string> record;    // columns or groups of them, in the scene's order
+};
+
+}  // namespace stylet::core

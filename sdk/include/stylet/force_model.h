@@ -1,0 +1,54 @@
+// One effect of the needle on the tissue, or of the tissue on the needle. Effects only add to a contact's law, so their order never matters.
+#pragma once
+
+#include <stylet/plugin.h>
+#include <stylet/types.h>
+
+namespace stylet {
+
+/// One contact as the last commit left it.
+struct Contact {
+    bool tip;                // the tip, or else a piece of shaft
+    bool inside;             // the tip has punctured (always true of the shaft)
+    int layer;               // index from the top of the layer it is in
+    double coverage;         // [m] shaft length that touches tissue in this contact; zero for the tip
+    double axial_force;      // [N] resists insertion when positive
+    double slip;             // [m] advance of the needle past the tissue in the last step
+    bool slipping;           // the last step slipped
+    double needle_radius;    // [m]
+    Vector3 axis;            // unit, along the needle toward the tip
+};
+
+/// What a contact can carry, summed over the effects.
+struct ContactLaw {
+    double axial_limit = 0.0;                // [N] shaft: sticks below, slips at
+    double tip_limit = 0.0;                  // [N] tip: ruptures or cuts at
+    bool tip_limited = false;                // a tip that no effect limits never ruptures
+    Vector3 own_force = Vector3::Zero();     // [N] on the needle, whatever the motion (a bevel's side force)
+
+    void add_axial(double limit) { axial_limit += limit; }
+    void add_tip(double limit) {
+        tip_limit += limit;
+        tip_limited = true;
+    }
+};
+
+/// What a step did at the tip, from the solved forces.
+struct Settlement {
+    bool punctured = false;    // the tip reached its limit outside and went in
+    double cut = 0.0;          // [m] new track
+    int layer = -1;            // that it was cut in
+    double needle_radius = 0.0;    // [m]
+};
+
+class ForceModel : public Object {
+public:
+    static constexpr Role role = Role::effect;
+
+    virtual void add_to(const Contact& contact, ContactLaw& law) const = 0;
+
+    /// Takes note of a change of state; returns the energy that the change consumed [J].
+    virtual double settle(const Settlement&) { return 0.0; }
+};
+
+}  // namespace stylet

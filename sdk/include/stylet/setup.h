@@ -1,0 +1,55 @@
+// What core hands a plugin when it makes it: the plugin's own parameters and the parts of the scene that every role may know.
+#pragma once
+
+#include <stylet/parameters.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace stylet {
+
+class BucklingModel;
+
+/// How the two ends of a needle's free length are held: base first, then the end at the tissue.
+enum class Ends : std::uint8_t { clamped_free, pinned_pinned, clamped_pinned, clamped_clamped };
+
+/// One layer of tissue; layers are stacked from the surface down.
+struct Layer {
+    std::string name;
+    double youngs_modulus;    // [Pa]
+    double poisson_ratio;     // in (−1, 0.5)
+    double density;           // [kg/m³], NaN where the scene gives none
+    double thickness;         // [m]; the last layer reaches the bottom
+};
+
+/// The common keys of every tissue.
+struct TissueSetup {
+    Vector3 extent;                // [m] block size in x, y, z; centred on the origin, top at z = 0
+    std::string fixed;             // "bottom", "sides" or "bottom_and_sides"
+    std::vector<Layer> layers;     // from the top
+};
+
+/// The common keys of every needle.
+struct NeedleSetup {
+    double length;            // [m] from the base to the tip
+    double radius;            // [m]
+    double youngs_modulus;    // [Pa]
+    Ends ends;
+
+    [[nodiscard]] double bending_stiffness() const {    // [N·m²] EI of a solid round section
+        constexpr double pi = 3.14159265358979323846;
+        return youngs_modulus * pi * radius * radius * radius * radius / 4.0;
+    }
+};
+
+/// Everything a plugin is made from. References hold while the plugin lives.
+struct Setup {
+    const Parameters& parameters;      // the plugin's own
+    const TissueSetup& tissue;
+    const NeedleSetup& needle;
+    const BucklingModel* buckling;     // for a needle: nullptr where the scene names none
+    double dt;                         // [s] the scene's time step
+};
+
+}  // namespace stylet

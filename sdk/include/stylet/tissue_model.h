@@ -1,0 +1,32 @@
+#pragma once
+
+#include <stylet/body.h>
+
+namespace stylet {
+
+inline constexpr int outside = -1;
+
+/// What a material point of the undeformed tissue lies in. A point on an interface belongs to the layer below it.
+struct Location {
+    int layer = outside;    // index from the top, or `outside`
+    double depth = 0.0;     // [m] below the undeformed surface, negative above it
+};
+
+/// A tissue: a body that knows its layers and its undeformed surface.
+class TissueModel : public Body {
+public:
+    static constexpr Role role = Role::tissue;
+
+    /// Moves the tissue under everything already known for `dt` [s]. dt = 0 means that core solves again at the same instant.
+    virtual void predict(double dt) = 0;
+
+    [[nodiscard]] virtual Location locate(const Vector3& material) const = 0;
+
+    /// Where the way from `from` to `to` first enters the undeformed tissue: a fraction in [0, 1], or −1 where it does not.
+    [[nodiscard]] virtual double entry(const Vector3& from, const Vector3& to) const = 0;
+
+    /// Names what the committed state cannot vouch for (a dent deeper than the block): text that lives with the library, or nullptr.
+    [[nodiscard]] virtual const char* beyond_validity() const { return nullptr; }
+};
+
+}  // namespace stylet
