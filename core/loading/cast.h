@@ -18,8 +18,13 @@ namespace stylet::core {
 /// Everything that acts in a scene, loaded and made. Nothing that the scene does not name is in it.
 class Cast {
 public:
-    /// Throws SceneErrors, with the scene's line for each, where a library is refused or a constructor throws.
+    /// The objects refer to the scene's setups and parameters: `scene` must outlive the cast. Throws SceneErrors, with the
+    /// scene's line for each, where a library is refused or a constructor throws.
     Cast(const Scene& scene, const PluginFolders& folders);
+
+    // Assigning members one by one would close libraries before the objects that live in them are gone.
+    Cast(const Cast&) = delete;
+    Cast& operator=(const Cast&) = delete;
 
     [[nodiscard]] TissueModel& tissue() const { return *tissue_; }
     [[nodiscard]] NeedleModel& needle() const { return *needle_; }
@@ -30,8 +35,7 @@ public:
     [[nodiscard]] std::vector<std::filesystem::path> libraries() const;
 
 private:
-    template <class Model>
-    std::unique_ptr<Model> make(const Scene& scene, const Choice& choice, const BucklingModel* buckling, const PluginFolders& folders);
+    struct Maker;
 
     std::vector<PluginLibrary> libraries_;
     std::unique_ptr<BucklingModel> buckling_;
@@ -41,4 +45,4 @@ private:
     std::unique_ptr<HapticDevice> device_;
 };
 
-}  // namespace stylet::core
+}    // namespace stylet::core

@@ -7,8 +7,11 @@
 
 namespace stylet::core {
 
-/// Where plugins are looked for, in this order: `--plugin-dir`, `STYLET_PLUGIN_PATH`, the install's own folder. A scene can add none.
-/// Looked up by file name (<type>.so), never by listing a folder: what else lies there costs a run nothing.
+/// Small letters, digits and '_': what a plugin may be called, so that no `type:` of a scene can be a path.
+[[nodiscard]] bool is_plain_name(const std::string& type);
+
+/// Where plugins are looked for, in this order: `--plugin-dir`, `STYLET_PLUGIN_PATH`, the install's own folder. A scene can add
+/// none. Looked up by file name (<type>.so), never by listing a folder: what else lies there costs a run nothing.
 class PluginFolders {
 public:
     explicit PluginFolders(std::vector<std::filesystem::path> folders) : folders_(std::move(folders)) {}
@@ -27,4 +30,4 @@ private:
     std::vector<std::filesystem::path> folders_;
 };
 
-}  // namespace stylet::core
+}    // namespace stylet::core

@@ -12,9 +12,9 @@ namespace stylet::core {
 /// A plugin's library, open as long as this lives. Whatever it created must go first.
 class PluginLibrary {
 public:
-    /// Finds and opens <type>.so and checks its descriptor before anything else of it is called. Throws Error with one sentence that
-    /// says what differs: not found (with a suggestion and the folders searched), not a library, no descriptor, another SDK version,
-    /// compiler, standard library, Eigen version or alignment, descriptor size, or a name that is not the file's.
+    /// Finds and opens <type>.so and checks its descriptor before anything else of it is called. Throws Error with one sentence
+    /// that says what differs: not found (with a suggestion and the folders searched), not a library, no descriptor, another SDK
+    /// version, compiler, standard library, Eigen version or alignment, descriptor size, or a name that is not the file's.
     [[nodiscard]] static PluginLibrary open(const std::string& type, const PluginFolders& folders);
 
     /// The same, and also refuses a plugin of another role.
@@ -35,5 +35,7 @@ private:
 
 /// "tissue", "needle", … as a sentence needs them.
 [[nodiscard]] const char* name_of(Role role);
+/// "a tissue", "an effect", …
+[[nodiscard]] std::string with_article(Role role);
 
-}  // namespace stylet::core
+}    // namespace stylet::core

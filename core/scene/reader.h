@@ -10,7 +10,8 @@
 
 namespace stylet::core {
 
-/// All that is wrong with a scene, one sentence each: `file:line:col: path: what was found, what was wanted (meaning); did you mean …?`
+/// All that is wrong with a scene, one sentence each: `file:line:col: path: what was found, what was wanted (meaning); did you
+/// mean …?`
 class SceneErrors : public std::runtime_error {
 public:
     explicit SceneErrors(std::vector<std::string> messages);
@@ -27,9 +28,10 @@ struct Override {
 };
 
 /// Reads and checks a scene against the declarations of the plugins it names. Throws SceneErrors.
-[[nodiscard]] Scene read_scene(const std::filesystem::path& file, const std::vector<Override>& overrides, const PluginFolders& folders);
+[[nodiscard]] Scene read_scene(const std::filesystem::path& file, const std::vector<Override>& overrides,
+                               const PluginFolders& folders);
 
 /// The title alone, for a list of scenes; empty where there is none.
 [[nodiscard]] std::string scene_title(const std::filesystem::path& file);
 
-}  // namespace stylet::core
+}    // namespace stylet::core

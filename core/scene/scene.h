@@ -4,6 +4,7 @@
 #include <stylet/setup.h>
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,7 +22,7 @@ struct Place {
 struct Choice {
     std::string type;
     std::string path;    // in the scene, for instance effects[1]
-    Place place;
+    Place place;         // of its `type`
     Parameters parameters;
 };
 
@@ -48,7 +49,10 @@ struct Scene {
 
     double contact_spacing;    // [m]
     RunSetup run;
-    std::vector<std::string> record;    // columns or groups of them, in the scene's order
+    std::vector<std::string>
+        record;    // columns or groups of them, in the scene's order; every column where the scene names none
+
+    std::map<std::string, Place> places;    // where each parameter stands, by its path: needle.length, effects[1].toughness
 };
 
-}  // namespace stylet::core
+}    // namespace stylet::core

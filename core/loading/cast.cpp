@@ -1,0 +1,78 @@
+#include "core/loading/cast.h"
+
+#include "core/scene/complaints.h"
+#include "core/scene/value_tree.h"
+
+namespace stylet::core {
+
+/// Makes the objects of one cast, and gathers what goes wrong with any of them.
+struct Cast::Maker {
+    const Scene& scene;
+    const PluginFolders& folders;
+    std::vector<PluginLibrary>& libraries;
+    Complaints complaints{};
+
+    /// A library is opened once, however many objects come from it.
+    const Descriptor& descriptor(const std::string& type, Role role) {
+        for (const PluginLibrary& library : libraries) {
+            const Descriptor& open = library.descriptor();
+            if (open.role == role && open.name == type) return open;
+        }
+        libraries.push_back(PluginLibrary::open(type, role, folders));
+        return libraries.back().descriptor();
+    }
+
+    /// A constructor names its own parameter, a common key of its role, or a whole path.
+    void complain(const Choice& choice, const Error& error) {
+        if (error.key().empty()) {
+            complaints.add(choice.place, choice.path, error.what());
+            return;
+        }
+        const std::string own_map = join(join(choice.path, choice.type), error.key());
+        const std::string beside_type = join(choice.path, error.key());
+        for (const std::string& path : {own_map, beside_type, error.key()}) {
+            if (const auto found = scene.places.find(path); found != scene.places.end()) {
+                complaints.add(found->second, path, error.what());
+                return;
+            }
+        }
+        complaints.add(choice.place, beside_type, error.what());
+    }
+
+    template <class Model>
+    std::unique_ptr<Model> make(const Choice& choice, const BucklingModel* buckling) {
+        try {
+            const Descriptor& plugin = descriptor(choice.type, Model::role);
+            const Setup setup{choice.parameters, scene.tissue_setup, scene.needle_setup, buckling, scene.run.dt()};
+            if (Object* object = plugin.create(setup)) return std::unique_ptr<Model>(static_cast<Model*>(object));
+            complain(choice, Error("the plugin '" + choice.type + "' made nothing"));
+        } catch (const Error& error) {
+            complain(choice, error);
+        } catch (const std::exception& error) {
+            complain(choice, Error("the plugin '" + choice.type + "' failed: " + error.what()));
+        } catch (...) {
+            complain(choice, Error("the plugin '" + choice.type + "' failed with something that is no exception"));
+        }
+        return nullptr;
+    }
+};
+
+Cast::Cast(const Scene& scene, const PluginFolders& folders) {
+    Maker maker{.scene = scene, .folders = folders, .libraries = libraries_};
+    if (scene.buckling) buckling_ = maker.make<BucklingModel>(*scene.buckling, nullptr);
+    tissue_ = maker.make<TissueModel>(scene.tissue, nullptr);
+    // Made without the buckling model that its scene names, a needle could only complain of what is not the scene's fault.
+    const bool buckling_failed = scene.buckling && !buckling_;
+    if (!buckling_failed) needle_ = maker.make<NeedleModel>(scene.needle, buckling_.get());
+    for (const Choice& effect : scene.effects) effects_.push_back(maker.make<ForceModel>(effect, nullptr));
+    device_ = maker.make<HapticDevice>(scene.device, nullptr);
+    maker.complaints.throw_if_any();
+}
+
+std::vector<std::filesystem::path> Cast::libraries() const {
+    std::vector<std::filesystem::path> files;
+    for (const PluginLibrary& library : libraries_) files.push_back(library.file());
+    return files;
+}
+
+}    // namespace stylet::core

@@ -1,0 +1,68 @@
+#include "core/run/sample.h"
+
+#include <algorithm>
+#include <array>
+
+namespace stylet::core {
+namespace {
+
+constexpr std::array columns{
+    Column{"time", "s", &Sample::time, "since the start"},
+    Column{"travel", "m", &Sample::travel, "way of the base along the needle since the start"},
+    Column{"depth", "m", &Sample::depth, "of the tip below the undeformed surface"},
+    Column{"inserted", "m", &Sample::inserted, "track that the tip has behind it"},
+    Column{"hand_force", "N", &Sample::hand_force, "base reaction along the needle, positive in compression"},
+    Column{"device_force", "N", &Sample::device_force, "what the limiter lets through to the hand"},
+    Column{"tip_force", "N", &Sample::tip_force, "on the tip, along the needle"},
+    Column{"friction_force", "N", &Sample::friction_force, "of all shaft contacts, along the needle"},
+    Column{"critical_load", "N", &Sample::critical_load, "of the free length"},
+    Column{"deflection", "m", &Sample::deflection, "largest distance of the needle from the straight line"},
+    Column{"free_length", "m", &Sample::free_length, "from the base to where the shaft crosses the surface"},
+    Column{"contacts", "1", &Sample::contacts, "number of shaft contacts"},
+    Column{"energy_force", "N", &Sample::energy_force, "Eq. (7) with friction, burst, released and numerical terms"},
+    Column{"energy_force_printed", "N", &Sample::energy_force_printed, "Eq. (7) as the paper prints it"},
+    Column{"hand_work", "J", &Sample::hand_work, "work of the hand"},
+    Column{"stored", "J", &Sample::stored, "elastic energy of both bodies"},
+    Column{"kinetic", "J", &Sample::kinetic, "kinetic energy of both bodies"},
+    Column{"fracture", "J", &Sample::fracture, "consumed by new track"},
+    Column{"friction", "J", &Sample::friction, "lost along the shaft"},
+    Column{"burst", "J", &Sample::burst, "surplus at ruptures"},
+    Column{"released", "J", &Sample::released, "released without work"},
+    Column{"damping", "J", &Sample::damping, "lost to declared damping"},
+    Column{"numerical", "J", &Sample::numerical, "lost to the integrator"},
+    Column{"residual", "J", &Sample::residual, "what the ledger cannot account for"},
+};
+
+constexpr std::string_view ledger = "ledger";
+constexpr std::size_t first_energy = 14;    // hand_work; the energies run to the end
+static_assert(std::string_view(columns[first_energy].name) == "hand_work");
+static_assert(sizeof(Sample) == columns.size() * sizeof(double), "a number of Sample has no column");
+
+}    // namespace
+
+std::span<const Column> all_columns() {
+    return columns;
+}
+
+std::vector<Column> columns_of(const std::vector<std::string>& record) {
+    std::vector<Column> chosen{columns.front()};
+    const auto choose = [&](const Column& column) {
+        if (std::ranges::find(chosen, column.value, &Column::value) == chosen.end()) chosen.push_back(column);
+    };
+    for (const std::string& word : record) {
+        for (const Column& column : columns) {
+            const bool energy = &column >= &columns[first_energy];
+            if (word == column.name || (word == ledger && energy)) choose(column);
+        }
+    }
+    return chosen;
+}
+
+std::vector<std::string> record_words() {
+    std::vector<std::string> words;
+    for (const Column& column : columns) words.emplace_back(column.name);
+    words.emplace_back(ledger);
+    return words;
+}
+
+}    // namespace stylet::core

@@ -1,0 +1,63 @@
+#include "core/run/sample.h"
+#include "core/scene/common_keys.h"
+#include "core/scene/plugin_choice.h"
+#include "core/scene/sections.h"
+#include "core/scene/suggestion.h"
+
+#include <algorithm>
+
+namespace stylet::core {
+
+void read_effects(const ValueTree& list, Reading& reading, Scene& scene) {
+    if (list.shape != ValueTree::Shape::list) {
+        reading.complaints.add(list.place, "effects",
+                               "found " + list.description() + ", wanted a list of maps (effects that act)");
+        return;
+    }
+    for (std::size_t i = 0; i < list.items.size(); ++i) {
+        const std::string path = join("effects", i);
+        if (!is_map(list.items[i], path, "an effect that acts", reading)) continue;
+        scene.effects.push_back(read_inline_choice(list.items[i], path, Role::effect, {}, reading));
+    }
+}
+
+void read_device(const ValueTree& map, Reading& reading, Scene& scene) {
+    scene.device = read_inline_choice(map, "device", Role::device, names_of(device_keys), reading);
+    const Parameters keys = read_parameters(map, "device", device_keys, reading);
+    if (keys.has("force_limit")) scene.force_limit = keys.number("force_limit");
+}
+
+void read_coupling(const ValueTree& map, Reading& reading, Scene& scene) {
+    const Parameters keys = read_parameters(map, "coupling", coupling_keys, reading);
+    refuse_unknown_keys(map, "coupling", names_of(coupling_keys), reading);
+    scene.contact_spacing = number_or_nan(keys, "contact_spacing");
+}
+
+void read_run(const ValueTree& map, Reading& reading, Scene& scene) {
+    const Parameters keys = read_parameters(map, "run", run_keys, reading);
+    refuse_unknown_keys(map, "run", names_of(run_keys), reading);
+    scene.run.rate = number_or_nan(keys, "rate");
+    if (keys.has("duration")) scene.run.duration = keys.number("duration");
+}
+
+void read_record(const ValueTree& list, Reading& reading, Scene& scene) {
+    if (list.shape != ValueTree::Shape::list || list.items.empty()) {
+        reading.complaints.add(list.place, "record",
+                               "found " + list.description() + ", wanted a list of columns (left out, every column is recorded)");
+        return;
+    }
+    const std::vector<std::string> words = record_words();
+    for (std::size_t i = 0; i < list.items.size(); ++i) {
+        const ValueTree& item = list.items[i];
+        const bool known = item.shape == ValueTree::Shape::scalar && std::ranges::find(words, item.text) != words.end();
+        if (known) {
+            scene.record.push_back(item.text);
+        } else {
+            reading.complaints.add(
+                item.place, join("record", i),
+                "found " + item.description() + ", wanted one of " + list_of(words) + suggestion(item.text, words));
+        }
+    }
+}
+
+}    // namespace stylet::core

@@ -1,0 +1,95 @@
+#include "core/scene/overrides.h"
+
+#include "core/scene/suggestion.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <variant>
+
+namespace stylet::core {
+namespace {
+
+using Step = std::variant<std::string, std::size_t>;    // a map's key or a list's index
+
+bool is_word_letter(char c) {
+    return c != '.' && c != '[' && c != ']';
+}
+
+/// "effects[0].rupture_force" → effects, 0, rupture_force; nothing where it is malformed.
+std::vector<Step> steps_of(const std::string& key) {
+    std::vector<Step> steps;
+    const char* at = key.data();
+    const char* const end = at + key.size();
+    while (at != end) {
+        if (*at == '[') {
+            std::size_t index = 0;
+            const auto [stop, error] = std::from_chars(at + 1, end, index);
+            if (steps.empty() || error != std::errc{} || stop == end || *stop != ']') return {};
+            steps.emplace_back(index);
+            at = stop + 1;
+        } else {
+            if (!steps.empty() && *at++ != '.') return {};
+            const char* const begin = at;
+            while (at != end && is_word_letter(*at)) ++at;
+            if (at == begin) return {};
+            steps.emplace_back(std::string(begin, at));
+        }
+    }
+    return steps;
+}
+
+/// The value that one step leads to. Only the last step may name a key that is not there yet.
+ValueTree* follow(ValueTree& from, const Step& step, const std::string& path, bool last, const Place& place,
+                  std::string& problem) {
+    if (const auto* index = std::get_if<std::size_t>(&step)) {
+        if (from.shape == ValueTree::Shape::list && *index < from.items.size()) return &from.items[*index];
+        problem = from.shape == ValueTree::Shape::list
+                      ? fmt::format("found no item [{}], '{}' is a list of {}", *index, path, from.items.size())
+                      : fmt::format("found {} at '{}', wanted a list", from.description(), path);
+        return nullptr;
+    }
+    const auto& key = std::get<std::string>(step);
+    if (from.shape != ValueTree::Shape::map) {
+        problem = fmt::format("found {} at '{}', wanted a map", from.description(), path);
+        return nullptr;
+    }
+    if (ValueTree* found = from.find(key)) return found;
+    if (last) {
+        from.entries.push_back({key, place, {}});
+        return &from.entries.back().value;
+    }
+    problem = fmt::format("found no key '{}' in the scene{}", join(path, key), suggestion(key, from.keys()));
+    return nullptr;
+}
+
+void apply(const Override& override, ValueTree& scene, Complaints& complaints) {
+    const Place place{"--set " + override.key, 0, 0};
+    const std::vector<Step> steps = steps_of(override.key);
+    if (steps.empty()) {
+        complaints.add(place, "", "found a malformed key, wanted one such as effects[0].rupture_force");
+        return;
+    }
+    const std::optional<ValueTree> value = parse_yaml(override.value, place, complaints);
+    if (!value) return;
+    ValueTree* at = &scene;
+    std::string path;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        std::string problem;
+        at = follow(*at, steps[i], path, i + 1 == steps.size(), place, problem);
+        if (at == nullptr) {
+            complaints.add(place, "", problem);
+            return;
+        }
+        path = std::visit([&](const auto& step) { return join(path, step); }, steps[i]);
+    }
+    *at = *value;
+}
+
+}    // namespace
+
+void apply_overrides(const std::vector<Override>& overrides, ValueTree& scene, Complaints& complaints) {
+    for (const Override& override : overrides) apply(override, scene, complaints);
+}
+
+}    // namespace stylet::core

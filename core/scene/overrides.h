@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/scene/reader.h"
+#include "core/scene/value_tree.h"
+
+namespace stylet::core {
+
+/// Puts each override's value into the tree, as if the scene had said so. Complains of keys that lead nowhere and of bad YAML.
+void apply_overrides(const std::vector<Override>& overrides, ValueTree& scene, Complaints& complaints);
+
+}    // namespace stylet::core

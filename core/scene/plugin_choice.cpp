@@ -1,0 +1,100 @@
+#include "core/scene/plugin_choice.h"
+
+#include "core/loading/plugin_library.h"
+
+#include <algorithm>
+
+namespace stylet::core {
+namespace {
+
+std::optional<PluginLibrary> open_plugin(const std::string& type, Role role, const Place& place, const std::string& path,
+                                         Reading& reading) {
+    try {
+        return PluginLibrary::open(type, role, reading.folders);
+    } catch (const Error& error) {
+        reading.complaints.add(place, path, error.what());
+        return std::nullopt;
+    }
+}
+
+std::span<const Parameter> declarations(const PluginLibrary& library) {
+    return {library.descriptor().parameters, library.descriptor().parameter_count};
+}
+
+/// The plugin that the map's `type` names, its parameters still to be read; an empty `type` where it names none.
+Choice read_type(const ValueTree& map, const std::string& path, Role role, Reading& reading) {
+    Choice choice{.type = "", .path = path, .place = map.place, .parameters = {}};
+    const std::string wanted = std::string("the name of ") + with_article(role);
+    const ValueTree* type = map.find("type");
+    if (type == nullptr) {
+        miss_key(map, join(path, "type"), wanted, reading);
+    } else if (type->shape != ValueTree::Shape::scalar) {
+        reading.complaints.add(type->place, join(path, "type"), "found " + type->description() + ", wanted " + wanted);
+    } else {
+        choice.type = type->text;
+        choice.place = type->place;
+    }
+    return choice;
+}
+
+std::vector<std::string> with_type(const std::vector<std::string>& common) {
+    std::vector<std::string> known{"type"};
+    known.insert(known.end(), common.begin(), common.end());
+    return known;
+}
+
+Parameters read_own_map(const ValueTree& map, const std::string& path, const PluginLibrary& library, Reading& reading) {
+    if (!is_map(map, path, "the plugin's own parameters", reading)) return {};
+    Parameters parameters = read_parameters(map, path, declarations(library), reading);
+    refuse_unknown_keys(map, path, names_of(declarations(library)), reading);
+    return parameters;
+}
+
+void check_other_map(const ValueTree::Entry& entry, const std::string& path, Role role, const std::vector<std::string>& known,
+                     Reading& reading) {
+    if (!reading.folders.find(entry.key)) {
+        std::vector<std::string> candidates = known;
+        std::ranges::copy(reading.folders.names(), std::back_inserter(candidates));
+        const std::string wanted = "one of " + list_of(known) + ", or a map named after " + with_article(role);
+        refuse_unknown_key(entry, path, wanted, candidates, reading);
+        return;
+    }
+    const std::string own_path = join(path, entry.key);
+    if (const auto library = open_plugin(entry.key, role, entry.place, own_path, reading)) {
+        read_own_map(entry.value, own_path, *library, reading);
+    }
+}
+
+}    // namespace
+
+Choice read_inline_choice(const ValueTree& map, const std::string& path, Role role, const std::vector<std::string>& common,
+                          Reading& reading) {
+    Choice choice = read_type(map, path, role, reading);
+    if (choice.type.empty()) return choice;
+    const auto library = open_plugin(choice.type, role, choice.place, join(path, "type"), reading);
+    if (!library) return choice;
+    choice.parameters = read_parameters(map, path, declarations(*library), reading);
+    std::vector<std::string> known = with_type(common);
+    std::ranges::copy(names_of(declarations(*library)), std::back_inserter(known));
+    refuse_unknown_keys(map, path, known, reading);
+    return choice;
+}
+
+Choice read_swappable_choice(const ValueTree& map, const std::string& path, Role role, const std::vector<std::string>& common,
+                             Reading& reading) {
+    Choice choice = read_type(map, path, role, reading);
+    const std::vector<std::string> known = with_type(common);
+    for (const ValueTree::Entry& entry : map.entries) {
+        const bool other = entry.key != choice.type && std::ranges::find(known, entry.key) == known.end();
+        if (other) check_other_map(entry, path, role, known, reading);
+    }
+    if (choice.type.empty()) return choice;
+    const auto library = open_plugin(choice.type, role, choice.place, join(path, "type"), reading);
+    if (!library) return choice;
+    const ValueTree nothing_given{.shape = ValueTree::Shape::map, .place = map.place};
+    const ValueTree* own = map.find(choice.type);
+    choice.parameters = read_own_map(own == nullptr ? nothing_given : *own, join(path, choice.type), *library, reading);
+    return choice;
+}
+
+}    // namespace stylet::core

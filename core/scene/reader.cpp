@@ -1,0 +1,127 @@
+#include "core/scene/reader.h"
+
+#include "core/run/sample.h"
+#include "core/scene/common_keys.h"
+#include "core/scene/overrides.h"
+#include "core/scene/scene_hash.h"
+#include "core/scene/sections.h"
+
+#include <fmt/format.h>
+
+namespace stylet::core {
+namespace {
+
+constexpr std::size_t largest_scene = 1 << 20;    // [bytes] a written scene has some thousand; more is no scene
+
+[[noreturn]] void refuse(const Place& place, const std::string& path, const std::string& sentence) {
+    Complaints complaints;
+    complaints.add(place, path, sentence);
+    throw SceneErrors(complaints.messages());
+}
+
+std::string text_of(const std::filesystem::path& file) {
+    try {
+        return read_bytes(file, largest_scene);
+    } catch (const Error& error) {
+        refuse({file.string(), 0, 0}, "", fmt::format("{} (a scene)", error.what()));
+    }
+}
+
+/// A scene of another version may mean anything: what else is wrong with it cannot be told.
+void check_version(const ValueTree& root, Reading& reading) {
+    const ValueTree* version = root.find("stylet");
+    const std::string wanted = fmt::format("{} (the version of the scene format)", format_version);
+    if (version == nullptr) {
+        miss_key(root, "stylet", wanted, reading);
+    } else if (version->text != std::to_string(format_version)) {
+        refuse(version->place, "stylet", "found " + version->description() + ", wanted " + wanted);
+    }
+}
+
+using ReadSection = void (*)(const ValueTree&, Reading&, Scene&);
+struct Section {
+    const char* key;
+    const char* meaning;
+    ReadSection read;
+};
+constexpr Section required_maps[] = {
+    {"tissue", "the tissue and its layers", read_tissue},
+    {"needle", "the needle", read_needle},
+    {"device", "what moves the needle's base", read_device},
+    {"coupling", "how needle and tissue meet", read_coupling},
+    {"run", "how fast and how long", read_run},
+};
+constexpr Section optional_lists[] = {
+    {"effects", "", read_effects},
+    {"record", "", read_record},
+};
+
+void read_sections(const ValueTree& root, Reading& reading, Scene& scene) {
+    std::vector<std::string> known{"stylet", "title"};
+    for (const auto& [key, meaning, read] : required_maps) {
+        known.emplace_back(key);
+        const ValueTree* map = root.find(key);
+        if (map == nullptr) {
+            miss_key(root, key, fmt::format("a map ({})", meaning), reading);
+        } else if (is_map(*map, key, meaning, reading)) {
+            read(*map, reading, scene);
+        }
+    }
+    for (const Section& section : optional_lists) {
+        known.emplace_back(section.key);
+        if (const ValueTree* list = root.find(section.key)) section.read(*list, reading, scene);
+    }
+    refuse_unknown_keys(root, "", known, reading);
+}
+
+ValueTree tree_of(const std::string& text, const std::filesystem::path& file, const std::vector<Override>& overrides,
+                  Complaints& complaints) {
+    const Place start{file.string(), 1, 1};
+    std::optional<ValueTree> root = parse_yaml(text, start, complaints);
+    if (!root) throw SceneErrors(complaints.messages());
+    if (root->shape == ValueTree::Shape::nothing) {
+        refuse(start, "", fmt::format("found an empty file, wanted a scene that begins with 'stylet: {}'", format_version));
+    }
+    if (root->shape != ValueTree::Shape::map)
+        refuse(root->place, "", "found " + root->description() + ", wanted a map of a scene's keys");
+    apply_overrides(overrides, *root, complaints);
+    return *std::move(root);
+}
+
+}    // namespace
+
+Scene read_scene(const std::filesystem::path& file, const std::vector<Override>& overrides, const PluginFolders& folders) {
+    const std::string text = text_of(file);
+    Reading reading{.files = SceneFiles(file), .folders = folders};
+    const ValueTree root = tree_of(text, file, overrides, reading.complaints);
+    check_version(root, reading);
+    Scene scene{};
+    scene.file = file;
+    const Parameters keys = read_parameters(root, "", scene_keys, reading);
+    if (keys.has("title")) scene.title = keys.text("title");
+    read_sections(root, reading, scene);
+    reading.complaints.throw_if_any();
+    if (scene.record.empty()) {
+        for (const Column& column : all_columns()) scene.record.emplace_back(column.name);
+    }
+    scene.places = std::move(reading.places);
+    try {
+        scene.hash = scene_hash(text, overrides, reading.files.named());
+    } catch (const Error& error) {
+        refuse({file.string(), 0, 0}, "", error.what());
+    }
+    return scene;
+}
+
+std::string scene_title(const std::filesystem::path& file) {
+    try {
+        Complaints complaints;
+        const auto root = parse_yaml(read_bytes(file, largest_scene), {file.string(), 1, 1}, complaints);
+        const ValueTree* title = root ? root->find("title") : nullptr;
+        return title == nullptr ? "" : title->text;
+    } catch (const Error&) {
+        return "";
+    }
+}
+
+}    // namespace stylet::core
