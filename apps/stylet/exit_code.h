@@ -11,4 +11,4 @@ enum class ExitCode : int {
     missing = 4           // a file cannot be written, gnuplot is not there
 };
 
-}  // namespace stylet::app
+}    // namespace stylet::app

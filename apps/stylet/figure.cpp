@@ -1,0 +1,144 @@
+#include "apps/stylet/figure.h"
+
+#include "apps/stylet/failure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace stylet::app {
+namespace {
+
+/// How a unit of a recording is shown.
+struct ShownUnit {
+    const char* recorded;
+    const char* shown;
+    double factor;
+};
+constexpr std::array shown_units{ShownUnit{"m", "mm", 1e3}, ShownUnit{"J", "mJ", 1e3}};
+
+ShownUnit shown(const RecordedColumn& column) {
+    for (const ShownUnit& unit : shown_units) {
+        if (column.unit == unit.recorded) return unit;
+    }
+    return {column.unit.c_str(), column.unit.c_str(), 1.0};
+}
+
+std::string axis_label(const RecordedColumn& column) {
+    std::string words = column.name == "travel" ? "hand travel" : column.name == "depth" ? "tip depth" : column.name;
+    std::replace(words.begin(), words.end(), '_', ' ');
+    words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+    const std::string unit = shown(column).shown;
+    return unit.empty() || unit == "1" ? words : fmt::format("{} ({})", words, unit);
+}
+
+bool finite(const Point& point) {
+    return std::isfinite(point.x) && std::isfinite(point.y);
+}
+
+Curve curve_of(const Recording& recording, const std::string& x_name, const std::string& y_name) {
+    const RecordedColumn& x = recording.column(x_name);
+    const RecordedColumn& y = recording.column(y_name);
+    const double x_factor = shown(x).factor, y_factor = shown(y).factor;
+    const auto at = [&](std::size_t row) { return Point{x.values[row] * x_factor, y.values[row] * y_factor}; };
+
+    Curve curve{recording.title, {}, {}};
+    for (std::size_t row = 0; row < x.values.size(); ++row) {
+        if (finite(at(row))) curve.points.push_back(at(row));
+    }
+    if (curve.points.empty()) {
+        throw Failure(ExitCode::wrong_input,
+                      fmt::format("{}: found no row where both {} and {} are finite", recording.file.string(), x_name, y_name));
+    }
+    for (const RecordedEvent& event : recording.events) {
+        if (finite(at(event.row))) curve.marks.push_back({at(event.row), event.name});
+    }
+    return curve;
+}
+
+/// "Fig. 10(a): L = 150 mm", "Fig. 10(a): L = 200 mm" → a legend that says only what differs.
+void drop_shared_beginning(std::vector<Curve>& curves) {
+    if (curves.size() < 2) return;
+    constexpr const char* colon = ": ";
+    const std::size_t end = curves.front().name.find(colon);
+    if (end == std::string::npos) return;
+    const std::string shared = curves.front().name.substr(0, end + 2);
+    const auto has_it = [&shared](const Curve& curve) {
+        return curve.name.starts_with(shared) && curve.name.size() > shared.size();
+    };
+    if (!std::all_of(curves.begin(), curves.end(), has_it)) return;
+    for (Curve& curve : curves) curve.name.erase(0, shared.size());
+}
+
+void set_ranges(Figure& figure) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Point least{infinity, 0.0}, greatest{-infinity, 0.0};    // the y axis always shows zero
+    for (const Curve& curve : figure.curves) {
+        for (const Point& point : curve.points) {
+            least = {std::min(least.x, point.x), std::min(least.y, point.y)};
+            greatest = {std::max(greatest.x, point.x), std::max(greatest.y, point.y)};
+        }
+    }
+    const double width = greatest.x > least.x ? greatest.x - least.x : 1.0;
+    const double height = greatest.y > least.y ? greatest.y - least.y : 1.0;
+    constexpr double side = 0.02, headroom = 0.10, below = 0.06;    // of the data's extent
+    figure.least = {least.x - side * width, least.y < 0.0 ? least.y - below * height : 0.0};
+    figure.greatest = {greatest.x + side * width, greatest.y + headroom * height};
+}
+
+/// A curve that comes back within less than a printer's dot needs no further points.
+void thin(Curve& curve, const Figure& figure) {
+    constexpr double dot = 1.0 / 4000.0;    // of the picture
+    const double x_dot = dot * (figure.greatest.x - figure.least.x), y_dot = dot * (figure.greatest.y - figure.least.y);
+    std::vector<Point> kept{curve.points.front()};
+    for (std::size_t i = 1; i < curve.points.size(); ++i) {
+        const Point& point = curve.points[i];
+        const bool last = i + 1 == curve.points.size();
+        if (last || std::abs(point.x - kept.back().x) > x_dot || std::abs(point.y - kept.back().y) > y_dot) kept.push_back(point);
+    }
+    curve.points = std::move(kept);
+}
+
+/// Events at one place share a label. Where there are many, each name is written once per curve.
+void gather_marks(Figure& figure) {
+    constexpr double same_place = 0.012;    // of the picture
+    const double width = figure.greatest.x - figure.least.x, height = figure.greatest.y - figure.least.y;
+    for (Curve& curve : figure.curves) {
+        constexpr std::size_t many = 8;
+        const bool once = curve.marks.size() > many;
+        std::set<std::string> written;
+        std::vector<Mark> marks;
+        for (Mark& mark : curve.marks) {
+            if (once && !written.insert(mark.text).second) mark.text.clear();
+            const bool joins = !marks.empty() && std::hypot((mark.at.x - marks.back().at.x) / width,
+                                                            (mark.at.y - marks.back().at.y) / height) < same_place;
+            if (!joins) {
+                marks.push_back(mark);
+            } else if (!mark.text.empty()) {
+                marks.back().text += marks.back().text.empty() ? mark.text : ", " + mark.text;
+            }
+        }
+        curve.marks = std::move(marks);
+    }
+}
+
+}    // namespace
+
+Figure figure_of(const std::vector<Recording>& recordings, const std::string& x, const std::string& y) {
+    Figure figure;
+    figure.x_label = axis_label(recordings.front().column(x));
+    figure.y_label = axis_label(recordings.front().column(y));
+    for (const Recording& recording : recordings) figure.curves.push_back(curve_of(recording, x, y));
+    if (figure.curves.size() == 1) figure.title = figure.curves.front().name;
+    drop_shared_beginning(figure.curves);
+    set_ranges(figure);
+    for (Curve& curve : figure.curves) thin(curve, figure);
+    gather_marks(figure);
+    return figure;
+}
+
+}    // namespace stylet::app

@@ -1,0 +1,38 @@
+// A picture of recordings: curves in readable units with their events, and where everything lies on the page.
+#pragma once
+
+#include "apps/stylet/recording_file.h"
+
+#include <string>
+#include <vector>
+
+namespace stylet::app {
+
+struct Point {
+    double x, y;
+};
+
+struct Mark {
+    Point at;
+    std::string text;    // empty: a marker without a label
+};
+
+struct Curve {
+    std::string name;
+    std::vector<Point> points;
+    std::vector<Mark> marks;
+};
+
+struct Figure {
+    std::string title;    // empty: none
+    std::string x_label;
+    std::string y_label;
+    Point least, greatest;    // what the axes show
+    std::vector<Curve> curves;
+};
+
+/// One curve per recording, of column `y` over column `x`. Throws Failure where a recording lacks one of them or has no finite
+/// point.
+[[nodiscard]] Figure figure_of(const std::vector<Recording>& recordings, const std::string& x, const std::string& y);
+
+}    // namespace stylet::app

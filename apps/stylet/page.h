@@ -1,0 +1,64 @@
+// Where key and labels lie, so that they cover as little of the curves as can be.
+#pragma once
+
+#include "apps/stylet/figure.h"
+
+#include <optional>
+#include <vector>
+
+namespace stylet::app {
+
+/// Pixels of the picture, y downward.
+struct Box {
+    double left, top, right, bottom;
+
+    [[nodiscard]] bool meets(const Box& other) const {
+        return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+    }
+    [[nodiscard]] bool holds(const Point& point) const {
+        return left <= point.x && point.x <= right && top <= point.y && point.y <= bottom;
+    }
+    [[nodiscard]] bool lies_in(const Box& other) const {
+        return left >= other.left && right <= other.right && top >= other.top && bottom <= other.bottom;
+    }
+};
+
+/// A label's place; `leader` runs from the marker to the label where they are apart.
+struct PlacedLabel {
+    std::string text;
+    std::size_t curve;
+    Box box;
+    std::optional<std::pair<Point, Point>> leader;
+};
+
+class Page {
+public:
+    // At its natural size (96 pixels per inch) 16 pixels of font are 12 points.
+    static constexpr double width = 640.0, height = 440.0;
+    static constexpr double font = 16.0, label_font = 14.0;
+
+    explicit Page(const Figure& figure);
+
+    [[nodiscard]] const Box& plot() const { return plot_; }                 // the axes' rectangle
+    [[nodiscard]] const std::optional<Box>& key() const { return key_; }    // none for a single curve
+    [[nodiscard]] const std::vector<PlacedLabel>& labels() const { return labels_; }
+    [[nodiscard]] Point pixel(const Point& point) const;
+
+    static constexpr double key_line = 1.35 * font;     // height of one entry
+    static constexpr double key_sample = 3.2 * font;    // width of its piece of line with the gap to the text
+
+private:
+    void trace_curves();
+    void place_key();
+    void place_labels();
+    [[nodiscard]] double cover(const Box& box) const;    // length of curve under it, in pixels
+
+    const Figure& figure_;
+    Box plot_;
+    std::vector<Point> traces_;    // points along all curves, one a few pixels from the next
+    std::vector<Point> markers_;
+    std::optional<Box> key_;
+    std::vector<PlacedLabel> labels_;
+};
+
+}    // namespace stylet::app

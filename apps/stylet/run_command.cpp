@@ -1,0 +1,137 @@
+#include "core/run/run.h"
+
+#include "apps/stylet/command.h"
+#include "apps/stylet/failure.h"
+#include "apps/stylet/output.h"
+#include "apps/stylet/progress_bar.h"
+#include "apps/stylet/scene_arguments.h"
+#include "apps/stylet/summary.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+
+namespace stylet::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* examples =
+    R"(Runs each scene to its end and writes FOLDER/<scene>.csv, a row for each tick, while it goes. Ends with a
+summary: events, peak force, when the needle buckled and at what load, the energy ledger, the time a tick took.
+
+Examples:
+  stylet run scenes/paper/fig10a_l200.yaml
+  stylet run scenes/paper/fig10a_l*.yaml --out results
+  stylet run scenes/paper/fig9.yaml --set needle.length='180 mm' --json fig9.json
+  stylet run scenes/paper/fig9.yaml --json - | python3 -m json.tool
+
+Exit codes: 0 ok, 1 a run ended with a fault, 2 a scene is wrong (nothing is run then), 3 wrong command line,
+4 a file cannot be written.)";
+
+struct RunArguments {
+    SceneArguments scenes;
+    std::string out = "out";
+    std::string json;
+    bool quiet = false;
+};
+
+/// The recording of each scene, by its stem. Two scenes of one stem would write the same file.
+std::vector<fs::path> recordings_of(const RunArguments& arguments) {
+    std::map<std::string, std::string> taken;
+    std::vector<fs::path> recordings;
+    for (const std::string& file : arguments.scenes.files()) {
+        const std::string stem = fs::path(file).stem().string();
+        const auto [other, is_new] = taken.emplace(stem, file);
+        if (!is_new) {
+            throw Failure(ExitCode::wrong_command,
+                          fmt::format("{} and {} would both be recorded as {}.csv; please run them one at a time "
+                                      "with different --out folders",
+                                      other->second, file, stem));
+        }
+        recordings.push_back(fs::path(arguments.out) / (stem + ".csv"));
+    }
+    return recordings;
+}
+
+/// All scenes are read before the first is run, so that all errors show at once.
+std::vector<core::Scene> read_all(const SceneArguments& arguments) {
+    const std::vector<core::Override> overrides = arguments.overrides();
+    const core::PluginFolders folders = arguments.folders();
+    std::vector<core::Scene> scenes;
+    std::vector<std::string> messages;
+    for (const std::string& file : arguments.files()) {
+        try {
+            scenes.push_back(core::read_scene(file, overrides, folders));
+        } catch (const core::SceneErrors& errors) {
+            messages.insert(messages.end(), errors.messages().begin(), errors.messages().end());
+        }
+    }
+    if (!messages.empty()) throw core::SceneErrors(messages);
+    return scenes;
+}
+
+FinishedRun run_one(const core::Scene& scene, const std::string& name, const fs::path& recording, const RunArguments& arguments) {
+    ProgressBar bar(name);
+    core::RunOptions options;
+    options.recording = recording;
+    if (!arguments.quiet) options.progress = [&bar](double fraction) { bar.show(fraction); };
+    try {
+        return {name, recording.string(), core::run(scene, arguments.scenes.folders(), options)};
+    } catch (const Error& error) {
+        throw Failure(ExitCode::missing, error.what());
+    }
+}
+
+void report(const FinishedRun& run, const RunArguments& arguments, bool first) {
+    const bool json_on_stdout = arguments.json == "-";
+    if (!arguments.quiet && !json_on_stdout) fmt::print("{}{}", first ? "" : "\n", summary_text(run));
+    if (arguments.json.empty()) return;
+    const std::string text = summary_json(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    if (json_on_stdout) {
+        fmt::print("{}", text);
+    } else {
+        write_file(arguments.json, text);
+    }
+}
+
+ExitCode run_all(const RunArguments& arguments) {
+    const std::vector<std::string>& names = arguments.scenes.files();
+    if (!arguments.json.empty() && names.size() > 1) {
+        throw Failure(ExitCode::wrong_command, fmt::format("--json: found {} scenes, wanted one", names.size()));
+    }
+    const std::vector<fs::path> recordings = recordings_of(arguments);
+    const std::vector<core::Scene> scenes = read_all(arguments.scenes);
+    make_folder(arguments.out);
+    for (const fs::path& recording : recordings) expect_writable(recording);
+    if (!arguments.json.empty() && arguments.json != "-") expect_writable(arguments.json);
+
+    bool fault = false;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        const FinishedRun run = run_one(scenes[i], names[i], recordings[i], arguments);
+        report(run, arguments, i == 0);
+        fault |= ended_in_fault(run.report);
+    }
+    return fault ? ExitCode::fault : ExitCode::ok;
+}
+
+}    // namespace
+
+Command run_command(CLI::App& line) {
+    const auto arguments = std::make_shared<RunArguments>();
+    CLI::App* options = line.add_subcommand("run", "Run scenes, record them, sum them up");
+    options->footer(examples);
+    arguments->scenes.add_to(*options);
+    options->add_option("--out", arguments->out, "Folder for the recordings, made where it is missing")
+        ->type_name("FOLDER")
+        ->capture_default_str();
+    options
+        ->add_option("--json", arguments->json,
+                     "Write the summary of the one scene as JSON too, '-' for stdout in place of the text")
+        ->type_name("FILE");
+    options->add_flag("--quiet", arguments->quiet, "No progress bar and no summary");
+    return {options, [arguments] { return run_all(*arguments); }};
+}
+
+}    // namespace stylet::app

@@ -1,0 +1,151 @@
+#include "apps/stylet/summary.h"
+
+#include "apps/stylet/table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stylet::app {
+namespace {
+
+using Align = Table::Align;
+
+std::string quantity(double value, int decimals, const char* unit) {
+    if (!std::isfinite(value)) return value > 0.0 ? "unlimited" : "none";
+    return fmt::format("{:.{}f} {}", value, decimals, unit);
+}
+
+std::string seconds(double s) {
+    return quantity(s, 3, "s");
+}
+std::string millimetres(double m) {
+    return quantity(m * 1e3, 2, "mm");
+}
+std::string newtons(double n) {
+    return quantity(n, 3, "N");
+}
+std::string millijoules(double j) {
+    return quantity(j * 1e3, 4, "mJ");
+}
+std::string microseconds(double us) {
+    return quantity(us, 1, "µs");
+}
+
+std::string events_text(const core::RunReport& report) {
+    if (report.events.empty()) return "  no events\n";
+    Table table({Align::left, Align::right, Align::right, Align::right, Align::right});
+    table.add({"event", "time", "travel", "depth", "hand force"});
+    for (const core::EventReport& event : report.events) {
+        table.add(
+            {event.name, seconds(event.time), millimetres(event.travel), millimetres(event.depth), newtons(event.hand_force)});
+    }
+    return table.text(2);
+}
+
+std::string findings_text(const core::RunReport& report) {
+    Table table({Align::left, Align::left});
+    table.add({"peak hand force", newtons(report.peak_hand_force)});
+    if (report.buckling.empty()) table.add({"buckled", "never"});
+    for (const core::BucklingReport& buckling : report.buckling) {
+        table.add({"buckled", fmt::format("at {} (critical load {}), after {}", newtons(buckling.force),
+                                          newtons(buckling.critical_load), seconds(buckling.time))});
+    }
+    table.add({"largest bow", millimetres(report.largest_deflection)});
+    return table.text(2);
+}
+
+std::string ledger_text(const core::LedgerReport& ledger) {
+    const core::Sample& totals = ledger.totals;
+    Table table({Align::left, Align::right});
+    table.add({"hand work", millijoules(totals.hand_work)});
+    table.add({"= stored", millijoules(totals.stored)});
+    table.add({"+ kinetic", millijoules(totals.kinetic)});
+    table.add({"+ fracture", millijoules(totals.fracture)});
+    table.add({"+ friction", millijoules(totals.friction)});
+    table.add({"+ burst", millijoules(totals.burst)});
+    table.add({"+ released", millijoules(totals.released)});
+    table.add({"+ damping", millijoules(totals.damping)});
+    table.add({"+ numerical", millijoules(totals.numerical)});
+    table.add({"+ residual", millijoules(totals.residual)});
+    return "  energy ledger\n" + table.text(4) +
+           fmt::format("    largest residual on the way: {:.1e} of the peak work, {:.1e} until the first puncture\n",
+                       ledger.relative, ledger.relative_pushing);
+}
+
+std::string cost_text(const FinishedRun& run) {
+    const core::RunReport& report = run.report;
+    Table table({Align::left, Align::left});
+    table.add({"tick", fmt::format("median {}, p99 {}, worst {}", microseconds(report.tick_us.median),
+                                   microseconds(report.tick_us.p99), microseconds(report.tick_us.max))});
+    table.add({"simulated", fmt::format("{} in {} ticks", seconds(report.duration), report.ticks)});
+    if (report.dropped_rows > 0) {
+        table.add({"not recorded", fmt::format("{} ticks: the disk was too slow for the recorder", report.dropped_rows)});
+    }
+    table.add({"recording", run.recording});
+    return table.text(2);
+}
+
+/// JSON has no infinity.
+nlohmann::ordered_json number(double value) {
+    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+nlohmann::ordered_json ledger_json(const core::LedgerReport& ledger) {
+    const core::Sample& totals = ledger.totals;
+    return {{"hand_work", number(totals.hand_work)}, {"residual", number(totals.residual)},
+            {"relative", number(ledger.relative)},   {"relative_pushing", number(ledger.relative_pushing)},
+            {"peak_work", number(ledger.peak_work)}, {"stored", number(totals.stored)},
+            {"kinetic", number(totals.kinetic)},     {"fracture", number(totals.fracture)},
+            {"friction", number(totals.friction)},   {"burst", number(totals.burst)},
+            {"released", number(totals.released)},   {"damping", number(totals.damping)},
+            {"numerical", number(totals.numerical)}};
+}
+
+}    // namespace
+
+std::string summary_text(const FinishedRun& run) {
+    return fmt::format("{}\n  scene {}\n\n{}\n{}\n{}\n{}", run.report.title, run.scene, events_text(run.report),
+                       findings_text(run.report), ledger_text(run.report.ledger), cost_text(run));
+}
+
+nlohmann::ordered_json summary_json(const FinishedRun& run) {
+    using nlohmann::ordered_json;
+    const core::RunReport& report = run.report;
+    ordered_json events = ordered_json::array();
+    for (const core::EventReport& event : report.events) {
+        events.push_back({{"name", event.name},
+                          {"time", number(event.time)},
+                          {"travel", number(event.travel)},
+                          {"depth", number(event.depth)},
+                          {"hand_force", number(event.hand_force)}});
+    }
+    ordered_json buckling = ordered_json::array();
+    for (const core::BucklingReport& one : report.buckling) {
+        buckling.push_back(
+            {{"time", number(one.time)}, {"force", number(one.force)}, {"critical_load", number(one.critical_load)}});
+    }
+    const core::TickReport& tick = report.tick_us;
+    return {{"title", report.title},
+            {"scene", run.scene},
+            {"hash", report.hash},
+            {"recording", run.recording},
+            {"events", events},
+            {"peak_hand_force", number(report.peak_hand_force)},
+            {"largest_deflection", number(report.largest_deflection)},
+            {"buckling", buckling},
+            {"ledger", ledger_json(report.ledger)},
+            {"tick_us", {{"median", number(tick.median)}, {"p99", number(tick.p99)}, {"max", number(tick.max)}}},
+            {"ticks", report.ticks},
+            {"duration", number(report.duration)},
+            {"dropped_rows", report.dropped_rows},
+            {"libraries", report.libraries}};
+}
+
+bool ended_in_fault(const core::RunReport& report) {
+    return std::any_of(report.events.begin(), report.events.end(),
+                       [](const core::EventReport& event) { return event.name.starts_with("fault"); });
+}
+
+}    // namespace stylet::app

@@ -1,0 +1,26 @@
+// What a run came to, for people and for programs.
+#pragma once
+
+#include "core/run/report.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace stylet::app {
+
+struct FinishedRun {
+    std::string scene;        // as the user named it
+    std::string recording;    // path of the CSV
+    core::RunReport report;
+};
+
+[[nodiscard]] std::string summary_text(const FinishedRun& run);
+
+/// The layout is a promise to scripts; SI units, times of ticks in µs, a number that is not finite as null.
+[[nodiscard]] nlohmann::ordered_json summary_json(const FinishedRun& run);
+
+/// Whether an event says that the run could not go on as the scene wanted.
+[[nodiscard]] bool ended_in_fault(const core::RunReport& report);
+
+}    // namespace stylet::app
