@@ -1,0 +1,36 @@
+#include "euler.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace stylet::euler {
+namespace {
+
+/// k of P = k·EI/L², dimensionless.
+double end_factor(Ends ends) {
+    constexpr double pi_squared = std::numbers::pi * std::numbers::pi;
+    constexpr double root = 4.493409457909064;    // the first positive one of tan x = x
+    switch (ends) {
+        case Ends::clamped_free:
+            return pi_squared / 4.0;
+        case Ends::pinned_pinned:
+            return pi_squared;
+        case Ends::clamped_pinned:
+            return root * root;
+        case Ends::clamped_clamped:
+            return 4.0 * pi_squared;
+    }
+    return pi_squared / 4.0;    // the least of them, for a value outside the enumeration
+}
+
+}    // namespace
+
+double Euler::critical_load(const Column& column) const {
+    const double length = std::max(column.length, column.radius);
+    return end_factor(column.ends) * column.bending_stiffness / (length * length);
+}
+
+}    // namespace stylet::euler
+
+STYLET_PLUGIN_WITHOUT_PARAMETERS(stylet::euler::Euler, "euler", "The critical load of an ideal column in air",
+                                 "Euler 1757; Timoshenko and Gere 1961, sections 2.1-2.3; He, Chen and Tang, Eq. (1)")

@@ -1,0 +1,39 @@
+#include "fracture.h"
+
+#include <stylet/layers.h>
+
+#include <numbers>
+
+namespace stylet::fracture {
+
+Fracture::Fracture(const Setup& setup)
+    : rupture_force_(setup.parameters.number("rupture_force")),
+      toughness_(setup.parameters.number("toughness")),
+      layer_(chosen_layer(setup)) {}
+
+double Fracture::cutting_force(double needle_radius) const {
+    return 2.0 * std::numbers::pi * needle_radius * toughness_;
+}
+
+void Fracture::add_to(const Contact& contact, ContactLaw& law) const {
+    if (!contact.tip || !acts_in(contact.layer)) return;
+    law.add_tip(contact.inside ? cutting_force(contact.needle_radius) : rupture_force_);
+}
+
+double Fracture::settle(const Settlement& change) {
+    return acts_in(change.layer) ? cutting_force(change.needle_radius) * change.cut : 0.0;
+}
+
+namespace {
+
+constexpr Parameter parameters[] = {
+    number("rupture_force", "N", positive, "force on the tip at which the surface ruptures"),
+    number("toughness", "J/m^2", not_negative, "fracture energy J_c per area of crack; the tip cuts at 2 pi r J_c"),
+    optional(text("layer", "acts only in the layer of this name; left out: in every layer")),
+};
+
+}    // namespace
+}    // namespace stylet::fracture
+
+STYLET_PLUGIN(stylet::fracture::Fracture, "fracture", "Rupture of the surface, then fracture energy for every length cut",
+              "He, Chen and Tang, section III, Eq. (7); Gokgol, Basdogan and Canadinc 2012", stylet::fracture::parameters)

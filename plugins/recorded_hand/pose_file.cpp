@@ -1,0 +1,83 @@
+#include "pose_file.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+
+namespace stylet::recorded_hand {
+namespace {
+
+constexpr std::string_view header = "time [s],x [m],y [m],z [m],qw,qx,qy,qz";
+constexpr std::size_t columns = 8;
+constexpr double unit_tolerance = 1e-3;    // a quaternion written with four digits is still one
+
+[[noreturn]] void refuse(int line, const std::string& message) {
+    throw Error("file", "line " + std::to_string(line) + ": " + message);
+}
+
+double read_number(std::string_view cell, int line) {
+    while (!cell.empty() && cell.front() == ' ') cell.remove_prefix(1);
+    while (!cell.empty() && cell.back() == ' ') cell.remove_suffix(1);
+    double value = 0.0;
+    const auto [end, problem] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    if (problem != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
+        refuse(line, "found \"" + std::string(cell) + "\", wanted a finite number");
+    }
+    return value;
+}
+
+std::array<double, columns> read_row(std::string_view text, int line) {
+    std::array<double, columns> row{};
+    std::size_t count = 0;
+    for (std::size_t begin = 0; begin <= text.size(); ++count) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        if (count < columns) row[count] = read_number(text.substr(begin, end - begin), line);
+        begin = end + 1;
+    }
+    if (count != columns) refuse(line, "found " + std::to_string(count) + " columns, wanted the 8 of the header");
+    return row;
+}
+
+RecordedHand::Key key_of(const std::array<double, columns>& row, int line) {
+    Quaternion rotation(row[4], row[5], row[6], row[7]);
+    const double norm = rotation.norm();
+    if (!(std::abs(norm - 1.0) <= unit_tolerance)) {
+        refuse(line, "found a quaternion of length " + std::to_string(norm) + ", wanted one of length 1");
+    }
+    rotation.normalize();
+    return {row[0], {Vector3(row[1], row[2], row[3]), rotation}};
+}
+
+}    // namespace
+
+std::vector<RecordedHand::Key> read_pose_file(const std::string& path) {
+    std::ifstream stream(path);
+    if (!stream) throw Error("file", "cannot read \"" + path + "\"");
+    std::vector<RecordedHand::Key> keys;
+    std::string text;
+    bool header_read = false;
+    int line = 0;
+    while (std::getline(stream, text)) {
+        ++line;
+        if (!text.empty() && text.back() == '\r') text.pop_back();
+        if (!header_read) {
+            if (text.starts_with('#')) continue;
+            if (text != header) refuse(line, "found \"" + text + "\", wanted the header \"" + std::string(header) + "\"");
+            header_read = true;
+            continue;
+        }
+        const RecordedHand::Key key = key_of(read_row(text, line), line);
+        if (key.time < 0.0) refuse(line, "found a negative time, wanted times from 0 on");
+        if (!keys.empty() && key.time <= keys.back().time) {
+            refuse(line, "found a time that is not after the line before, wanted times that rise");
+        }
+        keys.push_back(key);
+    }
+    if (keys.empty())
+        refuse(line + 1,
+               header_read ? "found no pose, wanted at least one" : "found no header, wanted \"" + std::string(header) + "\"");
+    return keys;
+}
+
+}    // namespace stylet::recorded_hand

@@ -1,0 +1,1 @@
+#include <stylet/contract/contract.h>
