@@ -24,8 +24,8 @@ struct BucklingReport {
 };
 
 struct LedgerReport {
-    double peak_work = 0.0;    // [J] largest amount of hand work on the way
-    double relative = 0.0;     // largest |residual| on the way, over peak_work
+    double peak_work = 0.0;           // [J] largest amount of hand work on the way
+    double relative = 0.0;            // largest |residual| on the way, over peak_work
     double relative_pushing = 0.0;    // the same until the first puncture
     Sample totals;
 };
@@ -38,15 +38,14 @@ struct RunReport {
     std::string title;
     std::string hash;
     std::vector<EventReport> events;
-    double peak_hand_force = 0.0;    // [N]
-    double largest_deflection = 0.0; // [m]
+    double peak_hand_force = 0.0;       // [N]
+    double largest_deflection = 0.0;    // [m]
     std::vector<BucklingReport> buckling;
     LedgerReport ledger;
     TickReport tick_us;
     std::size_t ticks = 0;
-    double duration = 0.0;           // [s]
-    std::size_t dropped_rows = 0;    // samples that the recorder's ring had no room for
+    double duration = 0.0;    // [s]
     std::vector<std::string> libraries;
 };
 
-}  // namespace stylet::core
+}    // namespace stylet::core

@@ -12,11 +12,12 @@
 namespace stylet::core {
 
 struct RunOptions {
-    std::optional<std::filesystem::path> recording;      // CSV to write
-    std::function<void(double fraction)> progress;       // called now and then between ticks, from 0 to 1; may be empty
+    std::optional<std::filesystem::path> recording;    // CSV to write
+    std::function<void(double fraction)> progress;     // called now and then between ticks, from 0 to 1; may be empty
 };
 
-/// Loads the scene's cast and runs it to its end. Throws SceneErrors where the cast is refused, Error where the recording cannot be written.
+/// Loads the scene's cast and runs it to its end. Throws SceneErrors where the cast is refused, Error where the recording cannot
+/// be written.
 [[nodiscard]] RunReport run(const Scene& scene, const PluginFolders& folders, const RunOptions& options);
 
-}  // namespace stylet::core
+}    // namespace stylet::core

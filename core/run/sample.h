@@ -10,30 +10,30 @@ namespace stylet::core {
 
 /// One tick's numbers. `hand_force` is the base reaction along the needle, positive in compression.
 struct Sample {
-    double time = 0.0;            // [s]
-    double travel = 0.0;          // [m] way of the base along the needle since the start
-    double depth = 0.0;           // [m] of the tip below the undeformed surface
-    double inserted = 0.0;        // [m] track that the tip has behind it
-    double hand_force = 0.0;      // [N] what the simulation asks for
-    double device_force = 0.0;    // [N] what the limiter let through
-    double tip_force = 0.0;       // [N]
-    double friction_force = 0.0;  // [N] all shaft contacts, along the needle
-    double critical_load = 0.0;   // [N]
-    double deflection = 0.0;      // [m]
-    double free_length = 0.0;     // [m]
-    double contacts = 0.0;        // number of shaft contacts
-    double energy_force = 0.0;    // [N] Eq. (7) with friction, burst, released and numerical terms
+    double time = 0.0;                    // [s]
+    double travel = 0.0;                  // [m] way of the base along the needle since the start
+    double depth = 0.0;                   // [m] of the tip below the undeformed surface
+    double inserted = 0.0;                // [m] track that the tip has behind it
+    double hand_force = 0.0;              // [N] what the simulation asks for
+    double device_force = 0.0;            // [N] what the limiter let through
+    double tip_force = 0.0;               // [N]
+    double friction_force = 0.0;          // [N] all shaft contacts, along the needle
+    double critical_load = 0.0;           // [N]
+    double deflection = 0.0;              // [m]
+    double free_length = 0.0;             // [m]
+    double contacts = 0.0;                // number of shaft contacts
+    double energy_force = 0.0;            // [N] Eq. (7) with friction, burst, released and numerical terms
     double energy_force_printed = 0.0;    // [N] Eq. (7) as the paper prints it
-    double hand_work = 0.0;       // [J] totals from here on
-    double stored = 0.0;          // [J]
-    double kinetic = 0.0;         // [J]
-    double fracture = 0.0;        // [J]
-    double friction = 0.0;        // [J]
-    double burst = 0.0;           // [J]
-    double released = 0.0;        // [J]
-    double damping = 0.0;         // [J]
-    double numerical = 0.0;       // [J]
-    double residual = 0.0;        // [J]
+    double hand_work = 0.0;               // [J] totals from here on
+    double stored = 0.0;                  // [J]
+    double kinetic = 0.0;                 // [J]
+    double fracture = 0.0;                // [J]
+    double friction = 0.0;                // [J]
+    double burst = 0.0;                   // [J]
+    double released = 0.0;                // [J]
+    double damping = 0.0;                 // [J]
+    double numerical = 0.0;               // [J]
+    double residual = 0.0;                // [J]
 };
 
 /// A column of a recording: its name, its unit, where it lives in a Sample, what it means.
@@ -53,4 +53,4 @@ struct Column {
 /// Words that `record` may hold: every column's name and the group "ledger".
 [[nodiscard]] std::vector<std::string> record_words();
 
-}  // namespace stylet::core
+}    // namespace stylet::core

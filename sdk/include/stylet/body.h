@@ -24,23 +24,30 @@ struct ContactPoint {
 };
 
 using ContactPoints = std::span<const ContactPoint>;
+
+/// Core never asks about more contacts than this, so that a body can set its memory aside when it is made.
+inline constexpr int max_contacts = 128;
+
 using Forces = Eigen::Map<const VectorX>;    // 3n, [N], xyz of each contact
 
 /// Where n contact points would be without contact forces, and how far each moves for a newton at each other, about the latest
 /// trial state. The views live in the body and hold until its next call.
 struct Linearisation {
-    Eigen::Map<const VectorX> free;                                        // 3n, [m], world
-    Eigen::Map<const MatrixX, Eigen::Unaligned, Eigen::OuterStride<>> compliance;    // 3n × 3n, [m/N], symmetric, may be indefinite
-    int negatives = 0;                                                     // negative eigenvalues of the body's own tangent
+    Eigen::Map<const VectorX> free;    // 3n, [m], world
+    Eigen::Map<const MatrixX, Eigen::Unaligned, Eigen::OuterStride<>>
+        compliance;       // 3n × 3n, [m/N], symmetric, may be indefinite
+    int negatives = 0;    // negative eigenvalues of the body's own tangent
 };
 
 /// What a trial step left undone.
 struct StepReport {
-    double residual = 0.0;           // [N] largest force imbalance in the trial state
-    bool tangent_changed = false;    // the linearisation just used belongs to another branch: linearise again, whatever the residual
+    double residual = 0.0;    // [N] largest force imbalance in the trial state
+    bool tangent_changed =
+        false;    // the linearisation just used belongs to another branch: linearise again, whatever the residual
 };
 
-/// Energies of the last commit [J]; `damping` and `numerical` are totals since the start and never fall.
+/// Energies of the latest trial state [J]; `damping` and `numerical` are totals since the start and never fall from commit to
+/// commit.
 struct EnergyReport {
     double stored = 0.0;
     double kinetic = 0.0;
@@ -63,4 +70,4 @@ public:
     [[nodiscard]] virtual EnergyReport energy() const = 0;
 };
 
-}  // namespace stylet
+}    // namespace stylet

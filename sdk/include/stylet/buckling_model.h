@@ -21,4 +21,4 @@ public:
     [[nodiscard]] virtual double critical_load(const Column& column) const = 0;
 };
 
-}  // namespace stylet
+}    // namespace stylet

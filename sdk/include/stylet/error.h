@@ -7,7 +7,8 @@
 
 namespace stylet {
 
-/// What is wrong with a scene or a plugin. `key` is the parameter at fault (empty where none is); core finds its line in the scene.
+/// What is wrong with a scene or a plugin. `key` is the parameter at fault (empty where none is); core finds its line in the
+/// scene.
 class Error : public std::runtime_error {
 public:
     explicit Error(const std::string& message) : std::runtime_error(message) {}
@@ -19,4 +20,4 @@ private:
     std::string key_;
 };
 
-}  // namespace stylet
+}    // namespace stylet

@@ -1,4 +1,5 @@
-// One effect of the needle on the tissue, or of the tissue on the needle. Effects only add to a contact's law, so their order never matters.
+// One effect of the needle on the tissue, or of the tissue on the needle. Effects only add to a contact's law, so their order
+// never matters.
 #pragma once
 
 #include <stylet/plugin.h>
@@ -21,10 +22,10 @@ struct Contact {
 
 /// What a contact can carry, summed over the effects.
 struct ContactLaw {
-    double axial_limit = 0.0;                // [N] shaft: sticks below, slips at
-    double tip_limit = 0.0;                  // [N] tip: ruptures or cuts at
-    bool tip_limited = false;                // a tip that no effect limits never ruptures
-    Vector3 own_force = Vector3::Zero();     // [N] on the needle, whatever the motion (a bevel's side force)
+    double axial_limit = 0.0;               // [N] shaft: sticks below, slips at
+    double tip_limit = 0.0;                 // [N] tip: ruptures or cuts at
+    bool tip_limited = false;               // a tip that no effect limits never ruptures
+    Vector3 own_force = Vector3::Zero();    // [N] on the needle, whatever the motion (a bevel's side force)
 
     void add_axial(double limit) { axial_limit += limit; }
     void add_tip(double limit) {
@@ -35,9 +36,9 @@ struct ContactLaw {
 
 /// What a step did at the tip, from the solved forces.
 struct Settlement {
-    bool punctured = false;    // the tip reached its limit outside and went in
-    double cut = 0.0;          // [m] new track
-    int layer = -1;            // that it was cut in
+    bool punctured = false;        // the tip reached its limit outside and went in
+    double cut = 0.0;              // [m] new track
+    int layer = -1;                // that it was cut in
     double needle_radius = 0.0;    // [m]
 };
 
@@ -51,4 +52,4 @@ public:
     virtual double settle(const Settlement&) { return 0.0; }
 };
 
-}  // namespace stylet
+}    // namespace stylet

@@ -30,4 +30,4 @@ public:
     [[nodiscard]] virtual double duration() const { return std::numeric_limits<double>::infinity(); }
 };
 
-}  // namespace stylet
+}    // namespace stylet

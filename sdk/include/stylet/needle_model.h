@@ -22,8 +22,9 @@ public:
     /// the whole length before puncture; `dt` [s], zero when core solves again at the same instant.
     virtual void predict(const Pose& base, double free_length, double dt) = 0;
 
-    [[nodiscard]] virtual Vector3 position(double arclength) const = 0;    // [m] of the latest trial state, arclength from the base
-    [[nodiscard]] virtual Vector3 tangent(double arclength) const = 0;     // unit, toward the tip
+    [[nodiscard]] virtual Vector3 position(
+        double arclength) const = 0;    // [m] of the latest trial state, arclength from the base
+    [[nodiscard]] virtual Vector3 tangent(double arclength) const = 0;    // unit, toward the tip
 
     /// The configurational force with which the mouth of the track pushes the needle out because a longer free length stores its
     /// bow more cheaply: −∂U/∂L at fixed shortening [N], of the latest trial state (Bigoni et al. 2015). Zero for most needles.
@@ -41,4 +42,4 @@ public:
     [[nodiscard]] virtual const char* beyond_validity() const { return nullptr; }
 };
 
-}  // namespace stylet
+}    // namespace stylet

@@ -28,8 +28,8 @@ enum class Need : std::uint8_t { required, optional };
 
 /// Which numbers make sense. A bound counts as allowed unless `open`.
 struct Range {
-    double least = -std::numeric_limits<double>::infinity();       // SI
-    double greatest = std::numeric_limits<double>::infinity();     // SI
+    double least = -std::numeric_limits<double>::infinity();      // SI
+    double greatest = std::numeric_limits<double>::infinity();    // SI
     bool open_below = false;
     bool open_above = false;
 };
@@ -43,12 +43,12 @@ inline constexpr Range not_negative{.least = 0.0};
 struct Parameter {
     const char* name = nullptr;
     Kind kind = Kind::number;
-    const char* unit = "";                 // UDUNITS-2; empty where the kind has none
+    const char* unit = "";    // UDUNITS-2; empty where the kind has none
     Range range{};
     Need need = Need::required;
     const char* meaning = "";
-    const char* choices = "";              // separated by spaces, for Kind::choice
-    const Parameter* fields = nullptr;     // for Kind::records
+    const char* choices = "";             // separated by spaces, for Kind::choice
+    const Parameter* fields = nullptr;    // for Kind::records
     std::uint32_t field_count = 0;
 };
 
@@ -80,7 +80,8 @@ constexpr Parameter optional(Parameter parameter) {
 }
 
 /// The values of a plugin's parameters, read from the scene, checked against the declarations, in SI.
-/// Asking for a value of another kind, or for a required one by a name that was never declared, is a plugin's bug and throws Error.
+/// Asking for a value of another kind, or for a required one by a name that was never declared, is a plugin's bug and throws
+/// Error.
 class Parameters {
 public:
     using Records = std::vector<Parameters>;
@@ -89,10 +90,10 @@ public:
     void set(const std::string& name, Value value) { values_.insert_or_assign(name, std::move(value)); }
     [[nodiscard]] bool has(std::string_view name) const { return values_.find(name) != values_.end(); }
 
-    [[nodiscard]] double number(std::string_view name) const { return get<double>(name); }              // SI
+    [[nodiscard]] double number(std::string_view name) const { return get<double>(name); }    // SI
     [[nodiscard]] std::int64_t integer(std::string_view name) const { return get<std::int64_t>(name); }
     [[nodiscard]] const std::string& text(std::string_view name) const { return get<std::string>(name); }    // text, choice, file
-    [[nodiscard]] const Vector3& vector3(std::string_view name) const { return get<Vector3>(name); }    // SI
+    [[nodiscard]] const Vector3& vector3(std::string_view name) const { return get<Vector3>(name); }         // SI
     [[nodiscard]] const Records& records(std::string_view name) const { return get<Records>(name); }
 
 private:
@@ -108,4 +109,4 @@ private:
     std::map<std::string, Value, std::less<>> values_;
 };
 
-}  // namespace stylet
+}    // namespace stylet

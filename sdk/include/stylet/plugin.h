@@ -2,8 +2,8 @@
 //
 //     STYLET_PLUGIN(Friction, "friction", "Dry friction along the shaft", "Okamura et al. 2004", parameters)
 //
-// A plugin is one class that derives from a role (TissueModel, NeedleModel, BucklingModel, ForceModel, HapticDevice) and is made from a
-// const Setup&; its constructor throws Error where a value makes no sense. Its library bears its name: friction.so.
+// A plugin is one class that derives from a role (TissueModel, NeedleModel, BucklingModel, ForceModel, HapticDevice) and is made
+// from a const Setup&; its constructor throws Error where a value makes no sense. Its library bears its name: friction.so.
 #pragma once
 
 #include <stylet/setup.h>
@@ -29,21 +29,21 @@ inline constexpr std::uint32_t sdk_version = 1;
 
 /// What a library was built with. It comes first, holds only integers and C strings, and never changes its layout.
 struct BuildStamp {
-    std::uint32_t size;           // of the whole Descriptor [bytes]
-    std::uint32_t sdk;            // sdk_version
-    std::uint32_t eigen;          // major · 10000 + minor · 100 + patch
-    std::uint32_t alignment;      // Eigen's largest static alignment [bytes]
-    const char* compiler;         // name and major version
-    const char* library;          // C++ standard library and its string ABI
+    std::uint32_t size;         // of the whole Descriptor [bytes]
+    std::uint32_t sdk;          // sdk_version
+    std::uint32_t eigen;        // major · 10000 + minor · 100 + patch
+    std::uint32_t alignment;    // Eigen's largest static alignment [bytes]
+    const char* compiler;       // name and major version
+    const char* library;        // C++ standard library and its string ABI
 };
 
 struct Descriptor {
     BuildStamp stamp;
     Role role;
     std::uint32_t parameter_count;
-    const char* name;             // the `type:` of a scene and the library's file name
-    const char* summary;          // one line
-    const char* source;           // author, year, equation
+    const char* name;       // the `type:` of a scene and the library's file name
+    const char* summary;    // one line
+    const char* source;     // author, year, equation
     const Parameter* parameters;
     Object* (*create)(const Setup&);
 };
@@ -78,18 +78,17 @@ Object* create_plugin(const Setup& setup) {
     return std::make_unique<Plugin>(setup).release();
 }
 
-}  // namespace stylet
+}    // namespace stylet
 
 /// Exports `Class` (its role is the one it derives from). `parameters_` is an array of Parameter that may be empty: use
 /// STYLET_PLUGIN_WITHOUT_PARAMETERS then.
-#define STYLET_PLUGIN(Class, name_, summary_, source_, parameters_)                                                     \
-    extern "C" __attribute__((visibility("default"))) const stylet::Descriptor stylet_plugin;                            \
-    const stylet::Descriptor stylet_plugin = {stylet::build_stamp(),   Class::role, std::size(parameters_), name_,       \
-                                              summary_,                source_,     parameters_,                         \
-                                              stylet::create_plugin<Class>};
+#define STYLET_PLUGIN(Class, name_, summary_, source_, parameters_)                                              \
+    extern "C" __attribute__((visibility("default"))) const stylet::Descriptor stylet_plugin;                    \
+    const stylet::Descriptor stylet_plugin = {                                                                   \
+        stylet::build_stamp(),       Class::role, std::size(parameters_), name_, summary_, source_, parameters_, \
+        stylet::create_plugin<Class>};
 
-#define STYLET_PLUGIN_WITHOUT_PARAMETERS(Class, name_, summary_, source_)                                               \
-    extern "C" __attribute__((visibility("default"))) const stylet::Descriptor stylet_plugin;                            \
-    const stylet::Descriptor stylet_plugin = {stylet::build_stamp(), Class::role, 0,                                     \
-                                              name_,                 summary_,    source_,                               \
-                                              nullptr,               stylet::create_plugin<Class>};
+#define STYLET_PLUGIN_WITHOUT_PARAMETERS(Class, name_, summary_, source_)                                                     \
+    extern "C" __attribute__((visibility("default"))) const stylet::Descriptor stylet_plugin;                                 \
+    const stylet::Descriptor stylet_plugin = {stylet::build_stamp(),       Class::role, 0, name_, summary_, source_, nullptr, \
+                                              stylet::create_plugin<Class>};

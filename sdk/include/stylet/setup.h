@@ -25,9 +25,9 @@ struct Layer {
 
 /// The common keys of every tissue.
 struct TissueSetup {
-    Vector3 extent;                // [m] block size in x, y, z; centred on the origin, top at z = 0
-    std::string fixed;             // "bottom", "sides" or "bottom_and_sides"
-    std::vector<Layer> layers;     // from the top
+    Vector3 extent;               // [m] block size in x, y, z; centred on the origin, top at z = 0
+    std::string fixed;            // "bottom", "sides" or "bottom_and_sides"
+    std::vector<Layer> layers;    // from the top
 };
 
 /// The common keys of every needle.
@@ -45,11 +45,11 @@ struct NeedleSetup {
 
 /// Everything a plugin is made from. References hold while the plugin lives.
 struct Setup {
-    const Parameters& parameters;      // the plugin's own
+    const Parameters& parameters;    // the plugin's own
     const TissueSetup& tissue;
     const NeedleSetup& needle;
-    const BucklingModel* buckling;     // for a needle: nullptr where the scene names none
-    double dt;                         // [s] the scene's time step
+    const BucklingModel* buckling;    // for a needle: nullptr where the scene names none
+    double dt;                        // [s] the scene's time step
 };
 
-}  // namespace stylet
+}    // namespace stylet

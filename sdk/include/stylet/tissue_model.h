@@ -25,8 +25,9 @@ public:
     /// Where the way from `from` to `to` first enters the undeformed tissue: a fraction in [0, 1], or −1 where it does not.
     [[nodiscard]] virtual double entry(const Vector3& from, const Vector3& to) const = 0;
 
-    /// Names what the committed state cannot vouch for (a dent deeper than the block): text that lives with the library, or nullptr.
+    /// Names what the committed state cannot vouch for (a dent deeper than the block): text that lives with the library, or
+    /// nullptr.
     [[nodiscard]] virtual const char* beyond_validity() const { return nullptr; }
 };
 
-}  // namespace stylet
+}    // namespace stylet

@@ -31,4 +31,4 @@ struct Wrench {
     [[nodiscard]] bool finite() const { return force.allFinite() && moment.allFinite(); }
 };
 
-}  // namespace stylet
+}    // namespace stylet

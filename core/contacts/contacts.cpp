@@ -1,0 +1,219 @@
+#include "core/contacts/contacts.h"
+
+#include <stylet/error.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace stylet::core {
+
+namespace {
+
+constexpr int most_shaft_contacts = max_contacts - 1;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Two directions across the needle that turn with it, and −axis.
+Matrix3 frame_of(const Vector3& axis) {
+    const Vector3 beside = std::abs(axis.x()) < 0.9 ? Vector3::UnitX() : Vector3::UnitY();
+    Matrix3 frame;
+    frame.col(0) = (beside - beside.dot(axis) * axis).normalized();
+    frame.col(2) = -axis;
+    frame.col(1) = frame.col(2).cross(frame.col(0));
+    return frame;
+}
+
+}    // namespace
+
+Contacts::Contacts(double needle_length, double needle_radius, double spacing)
+    : length_(needle_length), radius_(needle_radius), track_(spacing, most_shaft_contacts) {
+    if (needle_length / spacing > most_shaft_contacts) {
+        throw Error("coupling.contact_spacing",
+                    "the needle has room for more than " + std::to_string(most_shaft_contacts) +
+                        " contacts at this spacing, wanted a spacing of at least its length over that");
+    }
+    shaft_.reserve(most_shaft_contacts);
+}
+
+double Contacts::free_length() const {
+    return shaft_.empty() ? length_ : std::clamp(shaft_.front().arclength, 0.0, length_);
+}
+
+void Contacts::remember(const NeedleModel& needle) {
+    tip_position_ = needle.position(length_);
+    tip_known_ = true;
+    for (ShaftContact& contact : shaft_) contact.position = needle.position(std::max(0.0, contact.arclength));
+}
+
+ContactLaw Contacts::law_of(const Contact& contact, Effects effects) const {
+    ContactLaw law;
+    if (contact.layer == outside) return law;
+    for (const auto& effect : effects) effect->add_to(contact, law);
+    return law;
+}
+
+bool Contacts::finds_own_track(const Vector3& touched) const {
+    return track_.begun() && (touched - track_.entry()).norm() <= radius_;
+}
+
+void Contacts::arrange(const NeedleModel& needle, const TissueModel& tissue, Effects effects, ContactSet& set) const {
+    set.clear();
+    ContactPoint point{.material = touch_, .span = Vector3::Zero(), .arclength = length_, .tip = true};
+    TipState tip = tip_;
+    if (tip == TipState::free) {
+        const Vector3 now = needle.position(length_);
+        double entry = tip_known_ ? tissue.entry(tip_position_, now) : -1.0;
+        Vector3 from = tip_position_;
+        if (entry < 0.0 &&
+            tissue.locate(now).layer != outside) {    // it came in without crossing the surface: through its own axis
+            from = needle.position(0.0);
+            entry = tissue.entry(from, now);
+        }
+        set.relocated = moved_;
+        if (entry < 0.0) return;
+        point.material = from + entry * (now - from);
+        tip = finds_own_track(point.material) ? TipState::inside : TipState::touching;
+    }
+    if (tip == TipState::inside) point.material = track_.material(way_);
+    set.relocated = moved_ || tip_ == TipState::free;
+    set.points.push_back(point);
+    set.rows.push_back(tip_row(tip, point, needle, tissue, effects));
+    for (int i = 0; i < shaft_contacts(); ++i) add_shaft(i, needle, tissue, effects, set);
+}
+
+ContactRow Contacts::tip_row(TipState tip, const ContactPoint& point, const NeedleModel& needle, const TissueModel& tissue,
+                             Effects effects) const {
+    const Vector3 axis = needle.tangent(length_);
+    const Contact contact{.tip = true,
+                          .inside = tip == TipState::inside,
+                          .layer = tissue.locate(point.material).layer,
+                          .coverage = 0.0,
+                          .axial_force = tip_contact_.axial_force,
+                          .slip = tip_contact_.slip,
+                          .slipping = tip_contact_.slipping,
+                          .needle_radius = radius_,
+                          .axis = axis};
+    const ContactLaw law = law_of(contact, effects);
+    ContactRow row;
+    row.frame = frame_of(axis);
+    row.lateral = contact.layer != outside;
+    row.upper = law.tip_limited || contact.layer == outside ? law.tip_limit : infinity;
+    row.gap = tip == TipState::inside ? track_.cut() - way_ : 0.0;
+    row.own_force = law.own_force;
+    row.old_force = tip_contact_.force;
+    row.old_axial_force = tip_contact_.axial_force;
+    row.old_position = tip_position_;
+    return row;
+}
+
+void Contacts::add_shaft(int i, const NeedleModel& needle, const TissueModel& tissue, Effects effects, ContactSet& set) const {
+    const ShaftContact& shaft = shaft_[i];
+    const ContactPoint point{
+        .material = track_.node(i), .span = track_.span(i), .arclength = std::max(0.0, shaft.arclength), .tip = false};
+    const Vector3 axis = needle.tangent(point.arclength);
+    const bool past_base = shaft.arclength < 0.0;
+    const Contact contact{.tip = false,
+                          .inside = true,
+                          .layer = past_base ? outside : tissue.locate(point.material + 0.5 * point.span).layer,
+                          .coverage = track_.covered(i, way_),
+                          .axial_force = shaft.axial_force,
+                          .slip = shaft.slip,
+                          .slipping = shaft.slipping,
+                          .needle_radius = radius_,
+                          .axis = axis};
+    const ContactLaw law = law_of(contact, effects);
+    ContactRow row;
+    row.frame = frame_of(axis);
+    row.lateral = !past_base && contact.coverage > 0.0;
+    row.upper = law.axial_limit;
+    row.lower = -law.axial_limit;
+    row.own_force = law.own_force;
+    row.old_force = shaft.force;
+    row.old_axial_force = shaft.axial_force;
+    row.old_position = shaft.position;
+    set.points.push_back(point);
+    set.rows.push_back(row);
+}
+
+void Contacts::ShaftContact::take(const ContactRow& row) {
+    force = row.force;
+    axial_force = row.axial_force;
+    slip = row.advance;
+    slipping = row.advance != 0.0;
+    arclength -= row.advance;
+}
+
+ContactChange Contacts::absorb(const NeedleModel& needle, const TissueModel& tissue, const ContactSet& set) {
+    moved_ = false;
+    if (set.empty()) return {};
+    const ContactRow& row = set.rows.front();
+    tip_contact_.take(row);
+    const bool arrived = tip_ == TipState::free;
+    if (arrived && !finds_own_track(set.points.front().material)) {
+        tip_ = TipState::touching;
+        touch_ = set.points.front().material;
+    } else if (arrived) {
+        tip_ = TipState::inside;
+        way_ = 0.0;
+    }
+    if (tip_ == TipState::inside) {
+        ContactChange change = absorb_inside(needle, tissue, set);
+        if (arrived) change.event = "back in its track";
+        return change;
+    }
+    if (row.axial_force >= row.upper && row.advance > 0.0) {
+        tip_ = TipState::inside;
+        way_ = 0.0;
+        track_.begin(touch_, needle.tangent(length_));
+        ContactChange change = absorb_inside(needle, tissue, set);
+        change.punctured = true;
+        change.event = "punctured";
+        return change;
+    }
+    if (row.axial_force <= 0.0 && row.advance < 0.0) {
+        withdraw();
+        return {.event = arrived ? nullptr : "lifted off"};
+    }
+    return {.event = arrived ? "touched" : nullptr};
+}
+
+ContactChange Contacts::absorb_inside(const NeedleModel& needle, const TissueModel& tissue, const ContactSet& set) {
+    ContactChange change{.layer = tissue.locate(track_.material(way_)).layer};
+    for (int i = 0; i < shaft_contacts(); ++i) shaft_[i].take(set.rows[i + 1]);
+    const double before = way_;
+    way_ += set.rows.front().advance;
+    if (way_ <= 0.0) {
+        withdraw();
+        change.event = "withdrawn";
+        return change;
+    }
+    change.cut = track_.reach(way_, needle.tangent(length_));
+    const bool now_outside = tissue.locate(track_.material(way_)).layer == outside;
+    if (now_outside && !outside_) {
+        track_.leave(way_);
+        change.event = "left the tissue";
+    }
+    outside_ = now_outside;
+    moved_ = way_ != before || lay_shaft();
+    return change;
+}
+
+// One shaft contact for each piece of track that the tip has passed. Returns whether their number changed.
+bool Contacts::lay_shaft() {
+    const std::size_t before = shaft_.size();
+    int wanted = 1;
+    while (wanted < track_.nodes() && track_.way_of(wanted) <= way_) ++wanted;
+    while (shaft_contacts() > wanted) shaft_.pop_back();
+    while (shaft_contacts() < wanted) shaft_.push_back({.arclength = length_ - (way_ - track_.way_of(shaft_contacts()))});
+    return shaft_.size() != before;
+}
+
+void Contacts::withdraw() {
+    tip_ = TipState::free;
+    tip_contact_ = {.arclength = length_};
+    shaft_.clear();
+    way_ = 0.0;
+    outside_ = false;
+    moved_ = true;
+}
+
+}    // namespace stylet::core

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <stylet/force_model.h>
+#include <stylet/needle_model.h>
+#include <stylet/tissue_model.h>
+
+#include "core/contacts/contact_set.h"
+#include "core/contacts/track.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace stylet::core {
+
+/// Where the tip is.
+enum class TipState : std::uint8_t { free, touching, inside };
+
+/// What a committed step did to the contacts.
+struct ContactChange {
+    const char* event = nullptr;    // touched, punctured, withdrawn, …; text that lives for ever
+    bool punctured = false;
+    double cut = 0.0;       // [m] new track
+    int layer = outside;    // in which it was cut
+};
+
+using Effects = std::span<const std::unique_ptr<ForceModel>>;
+
+/// Knows where needle and tissue touch: the tip, and one shaft contact for each piece of track behind it.
+///
+/// `arrange` finds the contacts of a step and their laws and changes nothing; `absorb` takes a committed step. The tip cuts a
+/// track; each piece of it, once begun, is a contact at fixed material points whose needle arclength shrinks as the needle slips
+/// forward. Coverage grows from zero, so a new contact makes no jump. In its own old track the tip is free until the end of it.
+class Contacts {
+public:
+    Contacts(double needle_length, double needle_radius, double spacing);
+
+    /// Notes where the needle's material points are now; called before predict.
+    void remember(const NeedleModel& needle);
+
+    /// Fills `set` for a step, with the bodies as predicted.
+    void arrange(const NeedleModel& needle, const TissueModel& tissue, Effects effects, ContactSet& set) const;
+
+    ContactChange absorb(const NeedleModel& needle, const TissueModel& tissue, const ContactSet& set);
+
+    [[nodiscard]] TipState tip() const { return tip_; }
+    [[nodiscard]] double inserted() const { return tip_ == TipState::inside ? way_ : 0.0; }    // [m] of the tip along its track
+    [[nodiscard]] double free_length() const;                                                  // [m]
+    [[nodiscard]] int shaft_contacts() const { return static_cast<int>(shaft_.size()); }
+    [[nodiscard]] int entry_row() const { return tip_ == TipState::inside && !shaft_.empty() ? 1 : -1; }
+
+private:
+    /// A piece of shaft in a piece of track (or the tip), as the last commit left it.
+    struct ShaftContact {
+        double arclength;                   // [m] of the needle at the track's node
+        Vector3 force = Vector3::Zero();    // [N] on the needle
+        double axial_force = 0.0;           // [N]
+        double slip = 0.0;                  // [m] in the last step
+        bool slipping = false;
+        Vector3 position = Vector3::Zero();    // [m] world, before predict
+
+        void take(const ContactRow& row);
+    };
+
+    [[nodiscard]] bool finds_own_track(const Vector3& touched) const;
+    ContactRow tip_row(TipState tip, const ContactPoint& point, const NeedleModel& needle, const TissueModel& tissue,
+                       Effects effects) const;
+    void add_shaft(int i, const NeedleModel& needle, const TissueModel& tissue, Effects effects, ContactSet& set) const;
+    [[nodiscard]] ContactLaw law_of(const Contact& contact, Effects effects) const;
+
+    ContactChange absorb_inside(const NeedleModel& needle, const TissueModel& tissue, const ContactSet& set);
+    bool lay_shaft();
+    void withdraw();
+
+    double length_;    // [m] of the needle
+    double radius_;    // [m]
+    TipState tip_ = TipState::free;
+    Track track_;
+    Vector3 touch_ = Vector3::Zero();           // [m] material point that the tip rests on
+    double way_ = 0.0;                          // [m] of the tip along the track
+    bool outside_ = false;                      // the tip has left the tissue's extent
+    Vector3 tip_position_ = Vector3::Zero();    // [m] world, at the last commit
+    bool tip_known_ = false;
+    ShaftContact tip_contact_{.arclength = 0.0};    // what the tip's row carried
+    std::vector<ShaftContact> shaft_;
+    bool moved_ = true;    // contact points differ from those of the last solve
+};
+
+}    // namespace stylet::core

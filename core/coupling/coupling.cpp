@@ -1,0 +1,187 @@
+#include "core/coupling/coupling.h"
+
+#include <cmath>
+#include <limits>
+
+namespace stylet::core {
+
+namespace {
+
+constexpr int tip = 0;
+constexpr int axial = 2;           // the frame's third column
+constexpr int most_shifts = 16;    // 4¹⁶/dt²: far stiffer than any needle
+constexpr double shift_growth = 4.0;
+
+constexpr int most_rows = 3 * max_contacts;
+
+}    // namespace
+
+Coupling::Coupling()
+    : box_(most_rows),
+      lateral_row_(max_contacts),
+      compliance_(most_rows, most_rows),
+      work_(most_rows, most_rows),
+      free_(most_rows),
+      right_(most_rows),
+      lower_(most_rows),
+      upper_(most_rows),
+      lambda_(VectorX::Zero(most_rows)),
+      forces_(most_rows),
+      opposite_(most_rows),
+      own_(most_rows),
+      scratch_(most_rows) {}
+
+CouplingReport Coupling::solve(NeedleModel& needle, TissueModel& tissue, ContactSet& contacts, int entry, double most_advance,
+                               double dt) {
+    CouplingReport report;
+    const auto count = static_cast<Eigen::Index>(contacts.points.size());
+    const Forces on_needle(forces_.data(), 3 * count), on_tissue(opposite_.data(), 3 * count);
+    number_rows(contacts);
+    double shift = 0.0;
+    for (int shifts = 0; report.linearisations < most_linearisations && shifts <= most_shifts;) {
+        const double entry_force = entry >= 0 ? needle.entry_force() : 0.0;
+        for (Eigen::Index i = 0; i < count; ++i) own_.segment<3>(3 * i) = contacts.rows[i].own_force;
+        if (entry >= 0) own_.segment<3>(3 * entry) += entry_force * contacts.rows[entry].frame.col(axial);
+
+        const Views bodies{needle.linearise(contacts.points, shift), tissue.linearise(contacts.points, shift)};
+        if (report.linearisations++ == 0) report.relocation = carry_over(bodies.tissue, contacts);
+        assemble(bodies, contacts);
+        const BoxProblem::Outcome box = solve_box(contacts, most_advance);
+        if (!box.solved || box.negatives != bodies.needle.negatives + bodies.tissue.negatives) {
+            if (!(dt > 0.0)) return report;    // no time, no inertia to lean on
+            shift = shift == 0.0 ? 1.0 / (dt * dt) : shift * shift_growth;
+            ++shifts;
+            --report.linearisations;
+            continue;
+        }
+        hand_out(contacts);
+        trial_energy_ = contact_energy(bodies.tissue);
+        const StepReport needle_step = needle.try_step(contacts.points, on_needle);
+        const StepReport tissue_step = tissue.try_step(contacts.points, on_tissue);
+        const double entry_change = entry >= 0 ? std::abs(needle.entry_force() - entry_force) : 0.0;
+        report.residual = std::max({needle_step.residual, tissue_step.residual, entry_change});
+        report.converged = report.residual <= tolerance && !needle_step.tangent_changed && !tissue_step.tangent_changed;
+        if (report.converged) break;
+    }
+    report.tip_held_back = tip_held_back_;
+    return report;
+}
+
+// Lateral rows first: they are eliminated before the boxes are looked at.
+void Coupling::number_rows(const ContactSet& contacts) {
+    bilateral_ = 0;
+    tip_held_back_ = false;
+    const auto count = static_cast<int>(contacts.points.size());
+    for (int i = 0; i < count; ++i) {
+        lateral_row_[i] = contacts.rows[i].lateral ? bilateral_ : -1;
+        if (contacts.rows[i].lateral) bilateral_ += 2;
+    }
+    rows_ = bilateral_ + count;
+}
+
+// A = Dᵀ (W_needle + W_tissue) D, lower triangle, and b = Dᵀ (free_needle − free_tissue) + gap.
+void Coupling::assemble(const Views& bodies, const ContactSet& contacts) {
+    const auto count = static_cast<int>(contacts.points.size());
+    for (int i = 0; i < count; ++i) {
+        const ContactRow& row = contacts.rows[i];
+        const int lateral = lateral_row_[i];
+        const Vector3 between =
+            row.frame.transpose() * (bodies.needle.free.segment<3>(3 * i) - bodies.tissue.free.segment<3>(3 * i));
+        if (lateral >= 0) free_.segment<2>(lateral) = between.head<2>();
+        free_[axial_row(i)] = between[axial] + row.gap;
+        lower_[axial_row(i)] = row.lower;
+        upper_[axial_row(i)] = row.upper;
+        for (int j = 0; j <= i; ++j) {
+            const Matrix3 both =
+                bodies.needle.compliance.block<3, 3>(3 * i, 3 * j) + bodies.tissue.compliance.block<3, 3>(3 * i, 3 * j);
+            const Matrix3 local = row.frame.transpose() * both * contacts.rows[j].frame;
+            const int lateral_j = lateral_row_[j];
+            compliance_(axial_row(i), axial_row(j)) = local(axial, axial);
+            if (lateral_j >= 0) compliance_.block<1, 2>(axial_row(i), lateral_j) = local.block<1, 2>(axial, 0);
+            if (lateral >= 0) compliance_.block<1, 2>(axial_row(j), lateral) = local.block<2, 1>(0, axial).transpose();
+            if (lateral >= 0 && lateral_j >= 0) compliance_.block<2, 2>(lateral, lateral_j) = local.topLeftCorner<2, 2>();
+        }
+    }
+    add_own_forces(bodies, contacts);
+}
+
+void Coupling::add_own_forces(const Views& bodies, const ContactSet& contacts) {
+    const auto count = static_cast<Eigen::Index>(contacts.points.size());
+    const auto own = own_.head(3 * count);
+    if (own.isZero(0.0)) return;
+    auto moved = scratch_.head(3 * count);
+    moved.noalias() = bodies.needle.compliance * own;
+    moved.noalias() += bodies.tissue.compliance * own;
+    for (int i = 0; i < count; ++i) {
+        const Vector3 local = contacts.rows[i].frame.transpose() * moved.segment<3>(3 * i);
+        if (lateral_row_[i] >= 0) free_.segment<2>(lateral_row_[i]) += local.head<2>();
+        free_[axial_row(i)] += local[axial];
+    }
+}
+
+// Solves the box problem; a tip that runs further than it may in one solve is solved again with its way given and its force free.
+BoxProblem::Outcome Coupling::solve_box(ContactSet& contacts, double most_advance) {
+    auto work = work_.topLeftCorner(rows_, rows_);
+    auto right = right_.head(rows_);
+    auto lambda = lambda_.head(rows_);
+    const auto attempt = [&] {
+        if (tip_held_back_) {
+            lower_[axial_row(tip)] = contacts.rows[tip].upper;
+            upper_[axial_row(tip)] = std::numeric_limits<double>::infinity();
+        }
+        work.triangularView<Eigen::Lower>() = compliance_.topLeftCorner(rows_, rows_);
+        right = free_.head(rows_);
+        if (tip_held_back_) right[axial_row(tip)] += most_advance;
+        const BoxProblem::Outcome outcome = box_.solve(work, right, lower_.head(rows_), upper_.head(rows_), bilateral_, lambda);
+        scratch_.head(rows_).noalias() = compliance_.topLeftCorner(rows_, rows_).selfadjointView<Eigen::Lower>() * lambda;
+        return outcome;
+    };
+    BoxProblem::Outcome outcome = attempt();
+    if (outcome.solved && !tip_held_back_ && -(scratch_[axial_row(tip)] + free_[axial_row(tip)]) > most_advance) {
+        tip_held_back_ = true;
+        outcome = attempt();
+    }
+    return outcome;
+}
+
+// λ → each contact's force and advance. A stuck contact advances by nothing at all: rounding must not creep.
+void Coupling::hand_out(ContactSet& contacts) {
+    for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
+        ContactRow& row = contacts.rows[i];
+        const int along = axial_row(static_cast<int>(i)), across = lateral_row_[i];
+        const auto at = 3 * static_cast<Eigen::Index>(i);
+        const bool held_back = i == tip && tip_held_back_;
+        const bool stuck = !held_back && lambda_[along] > lower_[along] && lambda_[along] < upper_[along];
+        row.axial_force = lambda_[along];
+        row.advance = row.gap - (stuck ? 0.0 : scratch_[along] + free_[along]);
+        Vector3 local(0.0, 0.0, lambda_[along]);
+        if (across >= 0) local.head<2>() = lambda_.segment<2>(across);
+        row.force = row.frame * local + own_.segment<3>(at);
+        forces_.segment<3>(at) = row.force;
+        opposite_.segment<3>(at) = -row.force;
+    }
+}
+
+// The tissue's energy under its own contact forces is ½ fᵀWf. Where contact points have moved, the old forces meet another W: the
+// energy they gain and the advance they seem to make there belong to the move, not to the step.
+double Coupling::carry_over(const Linearisation& tissue, ContactSet& contacts) {
+    if (!contacts.relocated) return 0.0;
+    const auto count = static_cast<Eigen::Index>(contacts.rows.size());
+    auto old_forces = forces_.head(3 * count);
+    for (Eigen::Index i = 0; i < count; ++i) old_forces.segment<3>(3 * i) = contacts.rows[i].old_force;
+    auto moved = scratch_.head(3 * count);
+    moved.noalias() = tissue.compliance.selfadjointView<Eigen::Lower>() * old_forces;
+    for (Eigen::Index i = 0; i < count; ++i) {
+        ContactRow& row = contacts.rows[i];
+        row.carried_over = row.frame.transpose() * (tissue.free.segment<3>(3 * i) - moved.segment<3>(3 * i) - row.old_position);
+    }
+    return 0.5 * old_forces.dot(moved) - committed_energy_;
+}
+
+double Coupling::contact_energy(const Linearisation& tissue) {
+    const Eigen::Index size = tissue.free.size();
+    scratch_.head(size).noalias() = tissue.compliance.selfadjointView<Eigen::Lower>() * forces_.head(size);
+    return 0.5 * forces_.head(size).dot(scratch_.head(size));
+}
+
+}    // namespace stylet::core

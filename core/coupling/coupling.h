@@ -1,0 +1,73 @@
+#pragma once
+
+#include <stylet/needle_model.h>
+#include <stylet/tissue_model.h>
+
+#include "core/contacts/contact_set.h"
+#include "core/coupling/box_problem.h"
+
+namespace stylet::core {
+
+/// How a solve ended. Where `converged` is false the bodies hold an unfinished trial state: roll them back.
+struct CouplingReport {
+    bool converged = false;
+    int linearisations = 0;
+    double residual = 0.0;         // [N]
+    bool tip_held_back = false;    // the tip would have advanced further than allowed
+    double relocation = 0.0;       // [J] by which moving the old forces to the new contact points changed the tissue's energy
+};
+
+/// Brings needle and tissue together: finds the contact forces λ of one step.
+///
+///     v = (W_needle + W_tissue) λ + free_needle − free_tissue      in the needle's frame, each contact
+///
+/// Lateral rows are bilateral (v = 0), axial rows stick inside their box and slip at its sides (BoxProblem). Both bodies are
+/// linearised about their trial state, solved, stepped, and linearised again until no force is out of balance by more than
+/// `tolerance`. The branch is checked by inertia: the bilateral block must have as many negative pivots as the bodies report
+/// (Haynsworth 1968); while it has not, the bodies are linearised with a growing shift τ M. A body's own force (the mouth of the
+/// track pushing on a bowed needle) is evaluated anew with each linearisation. Changes the bodies' trial state only; allocates
+/// nothing.
+class Coupling {
+public:
+    static constexpr double tolerance = 1e-9;         // [N]
+    static constexpr int most_linearisations = 12;    // Newton needs 2, a change of branch a few more
+
+    Coupling();
+
+    /// `entry` is the row at which the needle's entry force acts (−1: none). `most_advance` [m] bounds the tip's way in one
+    /// solve.
+    CouplingReport solve(NeedleModel& needle, TissueModel& tissue, ContactSet& contacts, int entry, double most_advance,
+                         double dt);
+
+    /// The caller has committed the bodies.
+    void commit() { committed_energy_ = trial_energy_; }
+
+private:
+    struct Views {
+        Linearisation needle, tissue;
+    };
+    void number_rows(const ContactSet& contacts);
+    void assemble(const Views& bodies, const ContactSet& contacts);
+    void add_own_forces(const Views& bodies, const ContactSet& contacts);
+    BoxProblem::Outcome solve_box(ContactSet& contacts, double most_advance);
+    void hand_out(ContactSet& contacts);
+    double carry_over(const Linearisation& tissue, ContactSet& contacts);
+    double contact_energy(const Linearisation& tissue);
+    [[nodiscard]] int axial_row(int contact) const { return bilateral_ + contact; }
+
+    BoxProblem box_;
+    int bilateral_ = 0;    // number of lateral rows; axial rows follow, one for each contact
+    int rows_ = 0;
+    std::vector<int> lateral_row_;      // of each contact its first lateral row, or −1
+    MatrixX compliance_, work_;         // rows × rows, [m/N]
+    VectorX free_, right_;              // rows, [m]
+    VectorX lower_, upper_, lambda_;    // rows, [N]
+    VectorX forces_, opposite_;         // 3n on the needle and on the tissue, world, [N]
+    VectorX own_;                       // 3n on the needle whatever the motion, world, [N]
+    VectorX scratch_;                   // 3n, [m]
+    bool tip_held_back_ = false;
+    double trial_energy_ = 0.0;        // [J] ½ fᵀWf of the tissue at the end of the last solve
+    double committed_energy_ = 0.0;    // [J] and at the last commit
+};
+
+}    // namespace stylet::core

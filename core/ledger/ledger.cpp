@@ -1,0 +1,68 @@
+#include "core/ledger/ledger.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stylet::core {
+
+namespace {
+
+double hand_work(const HandStep& hand) {
+    const Vector3 moved = hand.after.position - hand.before.position;
+    const Eigen::AngleAxisd turned(hand.after.rotation * hand.before.rotation.conjugate());
+    return 0.5 * (hand.wrench_before.force + hand.wrench_after.force).dot(moved) +
+           0.5 * (hand.wrench_before.moment + hand.wrench_after.moment).dot(turned.angle() * turned.axis());
+}
+
+double slip_work(const ContactRow& row) {
+    return 0.5 * (row.old_axial_force + row.axial_force) * row.advance;
+}
+
+double released(const ContactSet& contacts, double relocation) {
+    double work = -relocation;
+    for (const ContactRow& row : contacts.rows) {
+        work += 0.5 * (row.old_force + row.force).dot(row.frame * row.carried_over);
+    }
+    return work;
+}
+
+struct BodyEnergies {
+    double stored, kinetic, damping, numerical;
+};
+
+BodyEnergies both(const NeedleModel& needle, const TissueModel& tissue) {
+    const EnergyReport n = needle.energy(), t = tissue.energy();
+    return {n.stored + t.stored, n.kinetic + t.kinetic, n.damping + t.damping, n.numerical + t.numerical};
+}
+
+}    // namespace
+
+void Ledger::close(const HandStep& hand, const ContactSet& contacts, double relocation, double fracture,
+                   const NeedleModel& needle, const TissueModel& tissue) {
+    balance_.hand_work += hand_work(hand);
+    for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
+        const double work = slip_work(contacts.rows[i]);
+        (contacts.points[i].tip ? balance_.burst : balance_.friction) += work;
+    }
+    balance_.burst -= fracture;
+    balance_.fracture += fracture;
+    balance_.released += released(contacts, relocation);
+    const BodyEnergies now = both(needle, tissue);
+    balance_.stored = now.stored;
+    balance_.kinetic = now.kinetic;
+    balance_.damping = now.damping;
+    balance_.numerical = now.numerical;
+    peak_work_ = std::max(peak_work_, std::abs(balance_.hand_work));
+    peak_residual_ = std::max(peak_residual_, std::abs(balance_.residual()));
+}
+
+double Ledger::imbalance_at_rest(const ContactSet& contacts, double relocation, const NeedleModel& needle,
+                                 const TissueModel& tissue) const {
+    const BodyEnergies now = both(needle, tissue);
+    double change = now.stored + now.kinetic + now.damping + now.numerical -
+                    (balance_.stored + balance_.kinetic + balance_.damping + balance_.numerical);
+    for (const ContactRow& row : contacts.rows) change += slip_work(row);
+    return -(change + released(contacts, relocation));
+}
+
+}    // namespace stylet::core

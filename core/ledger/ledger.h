@@ -1,0 +1,60 @@
+#pragma once
+
+#include <stylet/needle_model.h>
+#include <stylet/tissue_model.h>
+
+#include "core/contacts/contact_set.h"
+
+namespace stylet::core {
+
+/// Every energy of a run [J], since its start.
+struct Balance {
+    double hand_work = 0.0;
+    double stored = 0.0;    // elastic, of both bodies
+    double kinetic = 0.0;
+    double fracture = 0.0;    // what the effects say that cutting consumed
+    double friction = 0.0;    // axial slip along the shaft
+    double burst = 0.0;       // work at the tip beyond what cutting consumed: the surplus of a rupture
+    double released = 0.0;    // by contact points that moved on in the tissue
+    double damping = 0.0;
+    double numerical = 0.0;
+
+    [[nodiscard]] double accounted() const {
+        return stored + kinetic + fracture + friction + burst + released + damping + numerical;
+    }
+    [[nodiscard]] double residual() const { return hand_work - accounted(); }
+};
+
+/// One step of the hand.
+struct HandStep {
+    Pose before, after;
+    Wrench wrench_before, wrench_after;    // on the needle, about its base
+};
+
+/// Closes the books by the trapezoid rule: exact for linear bodies, second order for others.
+///
+///     hand work = Δ(stored + kinetic) + fracture + friction + burst + released + damping + numerical + residual
+///
+/// Paper's Eq. (7) is this balance solved for the force. A step's slip w does the work ½(λₙ + λₙ₊₁) w; at the tip what exceeds
+/// fracture is burst. `released` is what moving a contact's point through the tissue changes: Σ ½(fₙ + fₙ₊₁)·(carried over) − ΔE.
+class Ledger {
+public:
+    /// Takes a committed step. `relocation` is the coupling's; `fracture` [J] the effects'.
+    void close(const HandStep& hand, const ContactSet& contacts, double relocation, double fracture, const NeedleModel& needle,
+               const TissueModel& tissue);
+
+    /// What a trial step at rest of the hand would leave unaccounted for [J]; commits nothing.
+    [[nodiscard]] double imbalance_at_rest(const ContactSet& contacts, double relocation, const NeedleModel& needle,
+                                           const TissueModel& tissue) const;
+
+    [[nodiscard]] const Balance& balance() const { return balance_; }
+    [[nodiscard]] double peak_work() const { return peak_work_; }            // [J] largest |hand work| so far
+    [[nodiscard]] double peak_residual() const { return peak_residual_; }    // [J] largest |residual| so far
+
+private:
+    Balance balance_;
+    double peak_work_ = 0.0;
+    double peak_residual_ = 0.0;
+};
+
+}    // namespace stylet::core

@@ -1,0 +1,195 @@
+#include "core/run/simulation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stylet::core {
+
+namespace {
+
+constexpr int most_halvings = 6;
+// A rupture runs on at rest of the hand in pieces of at most one contact spacing, so that friction acts during the jump. A piece
+// whose books don't close to this part of the peak work (a bowed needle that snaps straight within it) is taken again at a
+// quarter.
+constexpr double run_on_imbalance = 1e-5;
+constexpr double smallest_piece = 1.0 / 256.0;    // of the spacing
+constexpr int most_pieces = 20000;
+
+Pose between(const Pose& a, const Pose& b, double fraction) {
+    return {.position = a.position + fraction * (b.position - a.position), .rotation = a.rotation.slerp(fraction, b.rotation)};
+}
+
+}    // namespace
+
+Simulation::Simulation(const Scene& scene, const Cast& cast)
+    : setup_(scene.needle_setup),
+      dt_(scene.run.dt()),
+      spacing_(scene.contact_spacing),
+      tissue_(cast.tissue()),
+      needle_(cast.needle()),
+      device_(cast.device()),
+      effects_(cast.effects()),
+      contacts_(setup_.length, setup_.radius, spacing_),
+      limiter_(cast.device().limits(), scene.force_limit) {
+    base_ = device_.pose(0.0);
+    if (base_.finite()) step(base_, dt_, spacing_);
+    sample_.depth = tissue_.locate(needle_.position(setup_.length)).depth;
+    sample_.free_length = contacts_.free_length();
+    sample_.critical_load = needle_.state().critical_load;
+}
+
+void Simulation::tick() {
+    events_.clear();
+    time_ = static_cast<double>(++ticks_) * dt_;
+    const Pose target = device_.pose(time_);
+    const Pose before = base_;
+    const Balance books_before = ledger_.balance();
+    if (!target.finite()) {
+        if (!limiter_.faulted()) raise("fault: the device's pose is not finite");
+        limiter_.trip();
+    } else if (!limiter_.faulted()) {
+        const bool found = move_to(target, dt_, 0);
+        if (!found && !lost_) raise("not converged");
+        lost_ = !found;
+    }
+    take_sample(before, books_before);
+    write_to_device();
+}
+
+// A step that finds no equilibrium is taken in halves.
+bool Simulation::move_to(const Pose& target, double dt, int halvings) {
+    if (step(target, dt, spacing_)) {
+        run_on();
+        return true;
+    }
+    if (halvings == most_halvings) return false;
+    return move_to(between(base_, target, 0.5), 0.5 * dt, halvings + 1) && move_to(target, 0.5 * dt, halvings + 1);
+}
+
+bool Simulation::step(const Pose& target, double dt, double most_advance) {
+    contacts_.remember(needle_);
+    needle_.predict(target, contacts_.free_length(), dt);
+    tissue_.predict(dt);
+    contacts_.arrange(needle_, tissue_, effects_, set_);
+    const CouplingReport report = coupling_.solve(needle_, tissue_, set_, contacts_.entry_row(), most_advance, dt);
+    const bool at_rest = dt == 0.0;
+    const bool sloppy =
+        at_rest && most_advance > smallest_piece * spacing_ &&
+        std::abs(ledger_.imbalance_at_rest(set_, report.relocation, needle_, tissue_)) > run_on_imbalance * ledger_.peak_work();
+    if (!report.converged || sloppy) {
+        needle_.rollback();
+        tissue_.rollback();
+        return false;
+    }
+    close(target, report);
+    return true;
+}
+
+// After a rupture the tip runs on while the hand hardly moves: solved again at the same instant until it stops.
+void Simulation::run_on() {
+    double piece = spacing_;
+    for (int i = 0; held_back_ && i < most_pieces; ++i) {
+        if (step(base_, 0.0, piece)) {
+            piece = std::min(spacing_, 2.0 * piece);
+        } else if (piece > smallest_piece * spacing_) {
+            piece *= 0.25;
+        } else {
+            held_back_ = false;
+            raise("not converged");
+        }
+    }
+}
+
+void Simulation::close(const Pose& target, const CouplingReport& report) {
+    HandStep hand{.before = base_, .after = target, .wrench_before = needle_.base_wrench(), .wrench_after = {}};
+    needle_.commit();
+    tissue_.commit();
+    coupling_.commit();
+    hand.wrench_after = needle_.base_wrench();
+    travel_ += (target.position - base_.position).dot(base_.axis());
+    base_ = target;
+
+    const ContactChange change = contacts_.absorb(needle_, tissue_, set_);
+    double fracture = 0.0;
+    if (change.punctured || change.cut > 0.0) {
+        const Settlement settlement{
+            .punctured = change.punctured, .cut = change.cut, .layer = change.layer, .needle_radius = setup_.radius};
+        for (const auto& effect : effects_) fracture += effect->settle(settlement);
+    }
+    ledger_.close(hand, set_, report.relocation, fracture, needle_, tissue_);
+    held_back_ = change.punctured || report.tip_held_back;
+    announce(change);
+}
+
+void Simulation::announce(const ContactChange& change) {
+    if (change.event != nullptr) raise(change.event);
+    ever_touched_ = ever_touched_ || contacts_.tip() != TipState::free;
+    const bool buckled = needle_.state().buckled;
+    if (buckled && !buckled_) raise(ever_punctured_ ? "second buckling" : "buckled");
+    if (!buckled && buckled_) raise("straightened");
+    buckled_ = buckled;
+    ever_punctured_ = ever_punctured_ || change.punctured;
+    if (const bool at_tissue = contacts_.free_length() <= 0.0; at_tissue != base_at_tissue_) {
+        if (at_tissue) raise("base at the tissue");
+        base_at_tissue_ = at_tissue;
+    }
+    const char* beyond = needle_.beyond_validity() != nullptr ? needle_.beyond_validity() : tissue_.beyond_validity();
+    if (beyond != nullptr && beyond != beyond_validity_) raise(beyond);
+    beyond_validity_ = beyond;
+}
+
+void Simulation::raise(const char* name) {
+    events_.add({.name = name,
+                 .time = time_,
+                 .travel = travel_,
+                 .depth = tissue_.locate(needle_.position(setup_.length)).depth,
+                 .hand_force = needle_.base_wrench().force.dot(base_.axis()),
+                 .critical_load = needle_.state().critical_load});
+}
+
+void Simulation::take_sample(const Pose& before, const Balance& books_before) {
+    const Balance& books = ledger_.balance();
+    const NeedleState state = needle_.state();
+    const double moved = (base_.position - before.position).dot(before.axis());
+    sample_.time = time_;
+    sample_.travel = travel_;
+    sample_.depth = tissue_.locate(needle_.position(setup_.length)).depth;
+    sample_.inserted = contacts_.inserted();
+    sample_.hand_force = needle_.base_wrench().force.dot(base_.axis());
+    sample_.tip_force = 0.0;
+    sample_.friction_force = 0.0;
+    for (std::size_t i = 0; i < set_.rows.size(); ++i) {
+        (set_.points[i].tip ? sample_.tip_force : sample_.friction_force) += set_.rows[i].axial_force;
+    }
+    sample_.critical_load = state.critical_load;
+    sample_.deflection = state.deflection;
+    sample_.free_length = contacts_.free_length();
+    sample_.contacts = contacts_.shaft_contacts();
+    if (moved != 0.0) {    // at rest of the hand Eq. (7) says nothing: the last answer stands
+        const double stored = books.stored - books_before.stored;
+        const double fracture = books.fracture - books_before.fracture;
+        sample_.energy_force = (books.accounted() - books_before.accounted()) / moved;
+        sample_.energy_force_printed = (stored + fracture) / moved;
+    }
+    sample_.hand_work = books.hand_work;
+    sample_.stored = books.stored;
+    sample_.kinetic = books.kinetic;
+    sample_.fracture = books.fracture;
+    sample_.friction = books.friction;
+    sample_.burst = books.burst;
+    sample_.released = books.released;
+    sample_.damping = books.damping;
+    sample_.numerical = books.numerical;
+    sample_.residual = books.residual();
+}
+
+// The hand feels the opposite of what it does to the needle. Where there is no equilibrium the last force must not be held.
+void Simulation::write_to_device() {
+    const Wrench held = needle_.base_wrench();
+    const Wrench felt = lost_ ? Wrench{} : Wrench{.force = -held.force, .moment = -held.moment};
+    const Wrench out = limiter_.limit(felt, dt_);
+    device_.write(out);
+    sample_.device_force = -out.force.dot(base_.axis());
+}
+
+}    // namespace stylet::core

@@ -1,0 +1,97 @@
+#pragma once
+
+#include "core/contacts/contacts.h"
+#include "core/coupling/coupling.h"
+#include "core/device/force_limiter.h"
+#include "core/ledger/ledger.h"
+#include "core/loading/cast.h"
+#include "core/run/report.h"
+#include "core/run/sample.h"
+#include "core/scene/scene.h"
+
+#include <array>
+#include <span>
+
+namespace stylet::core {
+
+/// What happened, and how it felt just then.
+struct Event {
+    const char* name = "";         // text that lives as long as the cast
+    double time = 0.0;             // [s]
+    double travel = 0.0;           // [m]
+    double depth = 0.0;            // [m]
+    double hand_force = 0.0;       // [N] before whatever the event set off
+    double critical_load = 0.0;    // [N]
+};
+
+/// The events of one tick; those beyond the capacity are counted, not kept.
+class EventList {
+public:
+    void clear() { count_ = 0; }
+    void add(const Event& event) {
+        if (count_ < events_.size()) events_[count_++] = event;
+    }
+    [[nodiscard]] std::span<const Event> list() const { return {events_.data(), count_}; }
+
+private:
+    std::array<Event, 16> events_;
+    std::size_t count_ = 0;
+};
+
+/// A scene in motion: one call of tick() is one time step, on whatever clock the caller keeps. Allocates nothing once made.
+class Simulation {
+public:
+    /// Both must outlive it. Throws Error where the scene's contact spacing asks for too many contacts.
+    Simulation(const Scene& scene, const Cast& cast);
+
+    void tick();
+
+    [[nodiscard]] double time() const { return time_; }    // [s] at the end of the last tick
+    [[nodiscard]] const Sample& sample() const { return sample_; }
+    [[nodiscard]] std::span<const Event> events() const { return events_.list(); }    // of the last tick
+    [[nodiscard]] const Ledger& ledger() const { return ledger_; }
+    [[nodiscard]] TipState tip() const { return contacts_.tip(); }
+    [[nodiscard]] bool ever_touched() const { return ever_touched_; }
+    [[nodiscard]] bool ever_punctured() const { return ever_punctured_; }
+    [[nodiscard]] bool faulted() const { return limiter_.faulted(); }
+
+private:
+    bool move_to(const Pose& target, double dt, int halvings);
+    bool step(const Pose& target, double dt, double most_advance);
+    void run_on();
+    void close(const Pose& target, const CouplingReport& report);
+    void announce(const ContactChange& change);
+    void raise(const char* name);
+    void take_sample(const Pose& before, const Balance& books_before);
+    void write_to_device();
+
+    const NeedleSetup& setup_;
+    double dt_;         // [s]
+    double spacing_;    // [m]
+    TissueModel& tissue_;
+    NeedleModel& needle_;
+    HapticDevice& device_;
+    Effects effects_;
+
+    Contacts contacts_;
+    ContactSet set_;
+    Coupling coupling_;
+    Ledger ledger_;
+    ForceLimiter limiter_;
+    EventList events_;
+    Sample sample_;
+
+    std::size_t ticks_ = 0;
+    double time_ = 0.0;      // [s]
+    double travel_ = 0.0;    // [m]
+    Pose base_;
+    bool held_back_ = false;    // the last step's tip had further to go at rest of the hand
+    bool lost_ = false;         // the last tick found no equilibrium
+    bool buckled_ = false;
+    bool ever_touched_ = false;
+    bool ever_punctured_ = false;
+    bool base_at_tissue_ = false;
+    const char* beyond_validity_ = nullptr;
+};
+
+}    // namespace stylet::core

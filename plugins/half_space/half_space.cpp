@@ -1,0 +1,138 @@
+#include "half_space.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stylet::half_space {
+
+namespace {
+
+// A shaft contact is sampled every needle diameter, but never more often than this: the cost of a new contact goes with its
+// square.
+constexpr int most_samples = 8;
+// An odd number of cache lines between columns, so that a row of the compliance doesn't fall into one cache set.
+constexpr int column_padding = 8;
+// [m] A point this close above the surface is on it: rounding must not push a touching tip out of the tissue.
+constexpr double surface_tolerance = 1e-9;
+
+double common_poisson_ratio(const TissueSetup& tissue) {
+    const double first = tissue.layers.front().poisson_ratio;
+    for (const Layer& layer : tissue.layers) {
+        if (layer.poisson_ratio != first) {
+            throw Error(
+                "layers",
+                "layers have different Poisson ratios, wanted one for all: half_space knows layers by their modulus alone");
+        }
+    }
+    return first;
+}
+
+}    // namespace
+
+HalfSpace::HalfSpace(const Setup& setup)
+    : setup_(setup.tissue),
+      kernel_(common_poisson_ratio(setup.tissue), setup.needle.radius),
+      radius_(setup.needle.radius),
+      patches_(max_contacts),
+      free_(3 * max_contacts),
+      compliance_(MatrixX::Zero(3 * max_contacts + column_padding, 3 * max_contacts)),
+      displacement_(3 * max_contacts) {
+    for (const Layer& layer : setup_.layers) {
+        bottoms_.push_back((bottoms_.empty() ? 0.0 : bottoms_.back()) + layer.thickness);
+    }
+    bottoms_.back() = setup_.extent.z();
+    for (Patch& patch : patches_) patch.samples.resize(most_samples);
+}
+
+void HalfSpace::place(Patch& patch, const ContactPoint& point) const {
+    const double length = point.span.norm();
+    patch.point = point;
+    patch.count = std::clamp(static_cast<int>(std::lround(length / (2.0 * radius_))), 1, most_samples);
+    for (int i = 0; i < patch.count; ++i) {
+        patch.samples[i] = point.material + (i + 0.5) / patch.count * point.span;
+    }
+    const Vector3 middle = point.material + 0.5 * point.span;
+    const double modulus = setup_.layers[layer_at(-middle.z())].youngs_modulus;
+    patch.weight = 1.0 / (patch.count * std::sqrt(modulus));
+}
+
+Matrix3 HalfSpace::block(const Patch& i, const Patch& j) const {
+    Matrix3 sum = Matrix3::Zero();
+    for (int a = 0; a < i.count; ++a) {
+        for (int b = 0; b < j.count; ++b) sum += kernel_(i.samples[a], j.samples[b]);
+    }
+    return i.weight * j.weight * sum;
+}
+
+void HalfSpace::fill(int row, int count) {
+    const Patch& patch = patches_[row];
+    for (int other = 0; other < count; ++other) {
+        if (other == row) continue;
+        const Matrix3 mutual = block(patch, patches_[other]);
+        compliance_.block<3, 3>(3 * row, 3 * other) = mutual;
+        compliance_.block<3, 3>(3 * other, 3 * row) = mutual.transpose();
+    }
+    const Matrix3 self = block(patch, patch);
+    compliance_.block<3, 3>(3 * row, 3 * row) = 0.5 * (self + self.transpose());
+    if (patch.point.tip) {    // the open track behind the tip: never stiffer than a punch on the surface
+        const Vector3 surface = patch.weight * patch.weight * kernel_(Vector3::Zero(), Vector3::Zero()).diagonal();
+        auto diagonal = compliance_.block<3, 3>(3 * row, 3 * row).diagonal();
+        diagonal = diagonal.cwiseMax(surface);
+    }
+}
+
+Linearisation HalfSpace::linearise(ContactPoints points, double /*shift: no inertia*/) {
+    const int count = static_cast<int>(points.size());
+    for (int i = 0; i < count; ++i) {
+        if (i < known_ && patches_[i].point == points[i]) continue;
+        place(patches_[i], points[i]);
+        free_.segment<3>(3 * i) = points[i].material;
+        fill(i, std::max(i + 1, std::min(known_, count)));
+    }
+    known_ = count;
+    return {.free = {free_.data(), 3 * count},
+            .compliance = {compliance_.data(), 3 * count, 3 * count, Eigen::OuterStride<>(compliance_.outerStride())},
+            .negatives = 0};
+}
+
+StepReport HalfSpace::try_step(ContactPoints points, Forces forces) {
+    const Linearisation now = linearise(points, 0.0);
+    auto displacement = displacement_.head(forces.size());
+    displacement.noalias() = now.compliance.selfadjointView<Eigen::Lower>() * forces;
+    trial_.energy = 0.5 * forces.dot(displacement);
+    trial_.dent = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (points[i].tip) trial_.dent = -displacement[3 * static_cast<Eigen::Index>(i) + 2];
+    }
+    return {};
+}
+
+int HalfSpace::layer_at(double depth) const {
+    const auto below = std::upper_bound(bottoms_.begin(), bottoms_.end() - 1, depth);
+    return static_cast<int>(below - bottoms_.begin());
+}
+
+Location HalfSpace::locate(const Vector3& material) const {
+    const double depth = -material.z();
+    const bool inside = depth >= -surface_tolerance && depth <= setup_.extent.z() &&
+                        std::abs(material.x()) <= 0.5 * setup_.extent.x() && std::abs(material.y()) <= 0.5 * setup_.extent.y();
+    return {.layer = inside ? layer_at(depth) : outside, .depth = depth};
+}
+
+double HalfSpace::entry(const Vector3& from, const Vector3& to) const {
+    constexpr double none = -1.0;
+    if (from.z() < 0.0 || to.z() > 0.0 || !(from.z() > to.z())) return none;
+    const double fraction = from.z() / (from.z() - to.z());
+    const Vector3 crossing = from + fraction * (to - from);
+    return locate({crossing.x(), crossing.y(), 0.0}).layer == outside ? none : fraction;
+}
+
+const char* HalfSpace::beyond_validity() const {
+    return state_.dent > setup_.extent.z() ? "beyond validity: the dent is deeper than the block" : nullptr;
+}
+
+}    // namespace stylet::half_space
+
+STYLET_PLUGIN_WITHOUT_PARAMETERS(stylet::half_space::HalfSpace, "half_space",
+                                 "An elastic half-space: no mesh, a fraction of a microsecond per pair of contacts",
+                                 "Mindlin 1936, blurred to the needle's radius; Selvadurai 1976")

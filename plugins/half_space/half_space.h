@@ -1,0 +1,71 @@
+// The cheapest honest tissue: an elastic half-space, no mesh.
+#pragma once
+
+#include "kernel.h"
+
+#include <stylet/tissue_model.h>
+
+#include <vector>
+
+namespace stylet::half_space {
+
+/// A linear elastic half-space that answers with one symmetric positive definite compliance over tip and shaft:
+///
+///     u_i = Σ_j W_ij f_j,    W_ij = mean over both pieces of track of K(x, y) / √(E_i E_j)
+///
+/// K is Mindlin's point load blurred to the needle's radius (kernel.h). A shaft contact is a row of points along its piece of
+/// track. The tip keeps the compliance of a punch on the surface at every depth: the track behind it is open, so it doesn't feel
+/// the full space that an embedded disc would.
+///
+/// Source: Mindlin 1936; Selvadurai 1976 for the disc. Validity: small strain, quasi-static, one Poisson ratio. Layers act by
+/// their local modulus, a named approximation: exact for one layer, positive definite for any, blind to what lies between two
+/// points. The block's sides and bottom are not felt: `extent` only says where the answer stops being vouched for.
+class HalfSpace final : public TissueModel {
+public:
+    explicit HalfSpace(const Setup& setup);
+
+    void predict(double) override {}    // no inertia, no load of its own
+    Linearisation linearise(ContactPoints points, double shift) override;
+    StepReport try_step(ContactPoints points, Forces forces) override;
+    void commit() override { state_ = trial_; }
+    void rollback() override { trial_ = state_; }
+    EnergyReport energy() const override { return {.stored = trial_.energy}; }
+
+    Location locate(const Vector3& material) const override;
+    double entry(const Vector3& from, const Vector3& to) const override;
+    const char* beyond_validity() const override;
+
+    /// The compliance of the tip on the surface [m/N]: (1 − ν²)/(2aE) along z, (2 − ν)/(8Ga) across.
+    Matrix3 punch(double youngs_modulus) const { return kernel_(Vector3::Zero(), Vector3::Zero()) / youngs_modulus; }
+
+private:
+    /// A contact as the compliance sees it: a few points that share its force evenly.
+    struct Patch {
+        ContactPoint point{};
+        std::vector<Vector3> samples;
+        int count = 0;
+        double weight = 0.0;    // 1/(count √E)
+    };
+    struct State {
+        double energy = 0.0;    // [J] ½ fᵀWf
+        double dent = 0.0;      // [m] how far the tip pushes its point down
+    };
+
+    void place(Patch& patch, const ContactPoint& point) const;
+    Matrix3 block(const Patch& i, const Patch& j) const;
+    void fill(int row, int count);
+    int layer_at(double depth) const;
+
+    TissueSetup setup_;
+    Kernel kernel_;
+    double radius_;                  // [m] of the needle
+    std::vector<double> bottoms_;    // [m] depth of each layer's bottom
+    std::vector<Patch> patches_;
+    int known_ = 0;           // how many patches, from the first, the compliance is filled for
+    VectorX free_;            // 3n
+    MatrixX compliance_;      // 3n × 3n
+    VectorX displacement_;    // 3n, scratch of try_step
+    State trial_, state_;
+};
+
+}    // namespace stylet::half_space
