@@ -54,19 +54,24 @@ RecordedHand::Key key_of(const std::array<double, columns>& row, int line) {
 std::vector<RecordedHand::Key> read_pose_file(const std::string& path) {
     std::ifstream stream(path);
     if (!stream) throw Error("file", "cannot read \"" + path + "\"");
-    std::vector<RecordedHand::Key> keys;
     std::string text;
-    bool header_read = false;
     int line = 0;
-    while (std::getline(stream, text)) {
+    const auto next_line = [&] {
         ++line;
-        if (!text.empty() && text.back() == '\r') text.pop_back();
-        if (!header_read) {
-            if (text.starts_with('#')) continue;
-            if (text != header) refuse(line, "found \"" + text + "\", wanted the header \"" + std::string(header) + "\"");
-            header_read = true;
-            continue;
-        }
+        text.clear();
+        if (!std::getline(stream, text)) return false;
+        if (text.ends_with('\r')) text.pop_back();
+        return true;
+    };
+    while (next_line() && text.starts_with('#')) {
+    }
+    if (text != header) {
+        refuse(line, "found " + (text.empty() ? "nothing" : "\"" + text + "\"") + ", wanted the header \"" + std::string(header) +
+                         "\"");
+    }
+    std::vector<RecordedHand::Key> keys;
+    while (next_line()) {
+        if (text.empty()) refuse(line, "found an empty line, wanted a pose");
         const RecordedHand::Key key = key_of(read_row(text, line), line);
         if (key.time < 0.0) refuse(line, "found a negative time, wanted times from 0 on");
         if (!keys.empty() && key.time <= keys.back().time) {
@@ -74,9 +79,7 @@ std::vector<RecordedHand::Key> read_pose_file(const std::string& path) {
         }
         keys.push_back(key);
     }
-    if (keys.empty())
-        refuse(line + 1,
-               header_read ? "found no pose, wanted at least one" : "found no header, wanted \"" + std::string(header) + "\"");
+    if (keys.empty()) refuse(line, "found no pose, wanted at least one");
     return keys;
 }
 
