@@ -80,9 +80,6 @@ std::string cost_text(const FinishedRun& run) {
     table.add({"tick", fmt::format("median {}, p99 {}, worst {}", microseconds(report.tick_us.median),
                                    microseconds(report.tick_us.p99), microseconds(report.tick_us.max))});
     table.add({"simulated", fmt::format("{} in {} ticks", seconds(report.duration), report.ticks)});
-    if (report.dropped_rows > 0) {
-        table.add({"not recorded", fmt::format("{} ticks: the disk was too slow for the recorder", report.dropped_rows)});
-    }
     table.add({"recording", run.recording});
     return table.text(2);
 }
@@ -139,7 +136,6 @@ nlohmann::ordered_json summary_json(const FinishedRun& run) {
             {"tick_us", {{"median", number(tick.median)}, {"p99", number(tick.p99)}, {"max", number(tick.max)}}},
             {"ticks", report.ticks},
             {"duration", number(report.duration)},
-            {"dropped_rows", report.dropped_rows},
             {"libraries", report.libraries}};
 }
 
