@@ -56,7 +56,7 @@ std::string quote(const std::string& text) {
     std::size_t end = std::min(text.size(), longest);
     while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
         ++end;    // a character of UTF-8 stays whole
-    return "'" + printable(text.substr(0, end)) + (end < text.size() ? "…'" : "'");
+    return fmt::format("'{}{}'", printable(text.substr(0, end)), end < text.size() ? "…" : "");
 }
 
 std::string list_of(const std::vector<std::string>& words) {

@@ -23,7 +23,7 @@ std::string text_of(const std::filesystem::path& file) {
     try {
         return read_bytes(file, largest_scene);
     } catch (const Error& error) {
-        refuse({file.string(), 0, 0}, "", fmt::format("{} (a scene)", error.what()));
+        refuse({file.string(), 0, 0}, "", fmt::format("{}, wanted a scene", error.what()));
     }
 }
 

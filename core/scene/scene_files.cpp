@@ -54,7 +54,7 @@ std::string read_bytes(const fs::path& file, std::size_t longest) {
     if (!fs::is_regular_file(file, error)) throw Error("found something that is no file");
     const std::uintmax_t size = fs::file_size(file, error);
     if (error) throw Error(fmt::format("found a file that cannot be read ({})", error.message()));
-    if (size > longest) throw Error(fmt::format("found a file of {} bytes, wanted at most {}", size, longest));
+    if (size > longest) throw Error(fmt::format("found a file of {} bytes (at most {} are read)", size, longest));
     std::string bytes(size, '\0');
     std::ifstream stream(file, std::ios::binary);
     if (!stream.read(bytes.data(), static_cast<std::streamsize>(size))) throw Error("found a file that cannot be read");

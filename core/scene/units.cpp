@@ -31,7 +31,11 @@ using Converter = std::unique_ptr<cv_converter, Release>;
 ut_system& unit_system() {
     static const UnitSystem system = [] {
         ut_set_error_message_handler(ut_ignore);    // it would write to the terminal
-        return UnitSystem(ut_read_xml(nullptr));
+        UnitSystem read(ut_read_xml(nullptr));
+        // The database has only "degree", "arcdeg" and the sign.
+        const Unit degree(read ? ut_parse(read.get(), "degree", UT_UTF8) : nullptr);
+        if (degree) ut_map_symbol_to_unit("deg", UT_UTF8, degree.get());
+        return read;
     }();
     if (!system) throw Error("found no UDUNITS-2 unit database: install libudunits2-data or name its file in UDUNITS2_XML_PATH");
     return *system;
@@ -45,6 +49,7 @@ constexpr std::array dimensions{
     Dimension{"s", "a time", "8 s"},
     Dimension{"kg", "a mass", "2 g"},
     Dimension{"rad", "an angle", "30 deg"},
+    Dimension{"1/s", "a rate", "2 1/s"},
     Dimension{"Hz", "a frequency", "1 kHz"},
     Dimension{"m/s", "a speed", "10 mm/s"},
     Dimension{"m/s^2", "an acceleration", "9.81 m/s^2"},
@@ -70,11 +75,11 @@ std::string_view trimmed(std::string_view text) {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 Quantity converted(double value, const std::string& text, const std::string& written, const std::string& unit) {
-    // UDUNITS-2 reads numbers and dates as units, too ("3", "@ 2000-01-01"): a scene's unit begins with a letter or a sign for
-    // one.
-    constexpr std::string_view not_a_unit = "0123456789+-.(@^*/";
+    // UDUNITS-2 reads numbers and dates as units, too ("3", "@ 2000-01-01"): a scene's unit begins with a letter, a sign or "1/".
+    constexpr std::string_view begins_no_unit = "0123456789+-.(@^*/";
     constexpr std::size_t longest = 40;    // [bytes]
-    if (written.size() > longest || not_a_unit.find(written.front()) != std::string_view::npos) return {none, quote(text)};
+    const bool odd = begins_no_unit.find(written.front()) != std::string_view::npos && !written.starts_with("1/");
+    if (odd || written.size() > longest) return {none, quote(text)};
     static std::mutex mutex;    // UDUNITS-2 keeps its parser's state in globals
     const std::lock_guard lock(mutex);
     const Unit wanted(ut_parse(&unit_system(), unit.c_str(), UT_UTF8));
@@ -92,7 +97,7 @@ Quantity converted(double value, const std::string& text, const std::string& wri
 
 Quantity read_quantity(const std::string& text, const std::string& unit) {
     std::string_view rest = trimmed(text);
-    if (rest.starts_with('+')) rest.remove_prefix(1);
+    if (rest.starts_with('+') && !rest.starts_with("+-")) rest.remove_prefix(1);
     double value = 0.0;
     const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
     if (error == std::errc::invalid_argument) return {none, quote(text)};

@@ -31,7 +31,10 @@ class TreeBuilder : public YAML::EventHandler {
 public:
     TreeBuilder(Place start, Complaints& complaints) : start_(std::move(start)), complaints_(complaints) {}
 
-    ValueTree take() { return std::move(root_); }
+    ValueTree take() {
+        if (refusal_) throw *refusal_;
+        return std::move(root_);
+    }
 
     void OnDocumentStart(const YAML::Mark&) override {}
     void OnDocumentEnd() override {}
@@ -66,6 +69,7 @@ private:
     struct Open {
         ValueTree node;
         std::string path;
+        bool as_key;
         std::optional<std::string> key{};    // read, its value still to come
         Place key_place{};
         std::map<std::string, Place> seen{};
@@ -84,14 +88,20 @@ private:
     void begin(const YAML::Mark& mark, ValueTree::Shape shape) {
         constexpr std::size_t deepest = 64;    // a scene needs six
         if (open_.size() >= deepest) throw Refusal{mark, fmt::format("found values nested deeper than {}", deepest)};
-        if (wants_key()) throw Refusal{mark, "found a list or a map as a key, wanted a word"};
-        open_.push_back({.node = {.shape = shape, .place = place_of(mark, start_)}, .path = path_of_next()});
+        const bool as_key = wants_key();
+        // Not thrown: a missing bracket further on looks like this, too, and is then what is wrong.
+        if (as_key && !refusal_) refusal_ = Refusal{mark, "found a list or a map as a key, wanted a word"};
+        open_.push_back({.node = {.shape = shape, .place = place_of(mark, start_)}, .path = path_of_next(), .as_key = as_key});
     }
 
     void end() {
-        ValueTree node = std::move(open_.back().node);
+        Open done = std::move(open_.back());
         open_.pop_back();
-        add(std::move(node));
+        if (done.as_key) {
+            open_.back().key = "";
+        } else {
+            add(std::move(done.node));
+        }
     }
 
     void add(ValueTree node) {
@@ -118,6 +128,7 @@ private:
     Complaints& complaints_;
     ValueTree root_;
     std::vector<Open> open_;
+    std::optional<Refusal> refusal_;    // to be made once the text has proved to be YAML
 };
 
 }    // namespace
@@ -137,7 +148,10 @@ std::optional<ValueTree> parse_yaml(const std::string& text, const Place& start,
     } catch (const Refusal& refusal) {
         complaints.add(place_of(refusal.mark, start), "", refusal.sentence);
     } catch (const YAML::Exception& error) {
-        complaints.add(place_of(error.mark, start), "", fmt::format("found text that is not YAML: {}", error.msg));
+        complaints.add(
+            place_of(error.mark, start), "",
+            fmt::format("found text that is not YAML ({}), wanted evenly indented 'key: value', every bracket and quote closed",
+                        error.msg));
     } catch (const std::exception& error) {
         complaints.add(start, "", fmt::format("found text on which the YAML parser gave up: {}", error.what()));
     }

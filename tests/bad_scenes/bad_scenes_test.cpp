@@ -1,0 +1,72 @@
+// Each bad scene here is refused with the messages in the file beside it. `<plugins>` stands for the folder of the tests'
+// plugins.
+#include "core/scene/reader.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+namespace stylet::core {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> bad_scenes() {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(".")) {
+        if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
+    }
+    std::ranges::sort(names);
+    return names;
+}
+
+std::string contents(const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
+
+std::string messages_of(const std::string& scene) {
+    std::string text;
+    try {
+        (void)read_scene(scene + ".yaml", {}, PluginFolders({TEST_PLUGINS}));
+    } catch (const SceneErrors& errors) {
+        for (const std::string& message : errors.messages()) text += message + "\n";
+    }
+    const std::string folder = TEST_PLUGINS;
+    for (auto at = text.find(folder); at != std::string::npos; at = text.find(folder))
+        text.replace(at, folder.size(), "<plugins>");
+    return text;
+}
+
+class BadScene : public testing::TestWithParam<std::string> {};
+
+TEST_P(BadScene, IsRefusedInTheseWords) {
+    const fs::path pinned = GetParam() + ".expected";
+    ASSERT_TRUE(fs::exists(pinned)) << "pin these words if they are right:\n" << messages_of(GetParam());
+    EXPECT_EQ(messages_of(GetParam()), contents(pinned));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BadScene, testing::ValuesIn(bad_scenes()), [](const auto& bad) { return bad.param; });
+
+TEST(BadScenes, CoverEachKindOfMistake) {
+    EXPECT_GE(bad_scenes().size(), 15u);
+}
+
+TEST(BadScenes, MayBeMissingAltogether) {
+    EXPECT_EQ(messages_of("no_such_scene"), "no_such_scene.yaml: found no such file, wanted a scene\n");
+}
+
+TEST(BadScenes, MayBeAFolder) {
+    try {
+        (void)read_scene("hands", {}, PluginFolders({TEST_PLUGINS}));
+        FAIL() << "a folder was read as a scene";
+    } catch (const SceneErrors& errors) {
+        EXPECT_STREQ(errors.what(), "hands: found something that is no file, wanted a scene");
+    }
+}
+
+}    // namespace
+}    // namespace stylet::core

@@ -1,0 +1,77 @@
+#include "test_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace stylet::core {
+namespace {
+
+Scene good(const std::vector<Override>& overrides) {
+    return read_scene(good_scene(), overrides, good_plugins());
+}
+
+TEST(Overrides, ReplaceAValueAtAnyDepth) {
+    const Scene scene =
+        good({{"needle.length", "150 mm"}, {"effects[0].rupture_force", "1 N"}, {"tissue.layers[1].poisson_ratio", "0.3"}});
+    EXPECT_DOUBLE_EQ(scene.needle_setup.length, 0.15);
+    EXPECT_DOUBLE_EQ(scene.effects[0].parameters.number("rupture_force"), 1.0);
+    EXPECT_DOUBLE_EQ(scene.tissue_setup.layers[1].poisson_ratio, 0.3);
+}
+
+TEST(Overrides, AddAKeyThatTheSceneLeavesOut) {
+    EXPECT_EQ(good({{"tissue.lattice.damping", "2 1/s"}, {"tissue.type", "lattice"}}).tissue.parameters.number("damping"), 2.0);
+}
+
+TEST(Overrides, TakeWholeListsAndMaps) {
+    EXPECT_TRUE(good({{"effects", "[]"}}).effects.empty());
+    EXPECT_EQ(good({{"run", "{rate: 500 Hz}"}}).run.duration, std::nullopt);
+}
+
+TEST(Overrides, TheLastOneOfAKeyCounts) {
+    EXPECT_DOUBLE_EQ(good({{"run.rate", "2 kHz"}, {"run.rate", "500 Hz"}}).run.rate, 500.0);
+}
+
+TEST(Overrides, AreCheckedAsTheSceneIs) {
+    const Messages expected{
+        "--set needle.radius: found '1' without a unit, wanted a length in m such as '25 mm' (needle radius)",
+        "--set needle.lenth: found an unknown key, wanted one of type, length, radius, youngs_modulus, ends, buckling, "
+        "or a map named after a needle; did you mean 'length'?"};
+    Messages found = complaints({{"needle.radius", "1"}, {"needle.lenth", "1 m"}});
+    std::ranges::sort(found, std::greater());
+    EXPECT_EQ(found, expected);
+}
+
+TEST(Overrides, SayWhichParentIsNotThere) {
+    const Messages expected{"--set nedle.radius: found no key 'nedle' in the scene; did you mean 'needle'?"};
+    EXPECT_EQ(complaints({{"nedle.radius", "1 mm"}}), expected);
+}
+
+TEST(Overrides, SayHowLongAListIs) {
+    const Messages expected{"--set effects[2].type: found no item [2], 'effects' is a list of 2"};
+    EXPECT_EQ(complaints({{"effects[2].type", "friction"}}), expected);
+}
+
+TEST(Overrides, SayWhatIsNoListAndWhatIsNoMap) {
+    const Messages expected{"--set needle[0]: found a map at 'needle', wanted a list",
+                            "--set needle.length.unit: found '200 mm' at 'needle.length', wanted a map"};
+    EXPECT_EQ(complaints({{"needle[0]", "x"}, {"needle.length.unit", "m"}}), expected);
+}
+
+TEST(Overrides, RefuseAMalformedKey) {
+    for (const char* key :
+         {"", ".", "a..b", "[0]", "effects[", "effects[x]", "effects[0", "effects[-1]", "effects]", "run.", "a[0]b"}) {
+        const Messages expected{"--set " + std::string(key) +
+                                ": found a malformed key, wanted one such as effects[0].rupture_force"};
+        EXPECT_EQ(complaints({{key, "1"}}), expected);
+    }
+}
+
+TEST(Overrides, RefuseBadYaml) {
+    const Messages messages = complaints({{"needle.buckling", "{type: euler"}});
+    ASSERT_EQ(messages.size(), 1u);
+    EXPECT_TRUE(messages[0].starts_with("--set needle.buckling: found text that is not YAML (")) << messages[0];
+}
+
+}    // namespace
+}    // namespace stylet::core

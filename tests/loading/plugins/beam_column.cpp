@@ -1,0 +1,20 @@
+#include "still_bodies.h"
+
+#include <stylet/buckling_model.h>
+
+namespace {
+
+/// Asks the buckling model that it is given, so that a test can see it arrive.
+class BeamColumn : public stylet::still::Needle {
+public:
+    explicit BeamColumn(const stylet::Setup& setup) : Needle(setup) {
+        const stylet::NeedleSetup& needle = setup.needle;
+        if (needle.radius < 1e-6) throw stylet::Error("radius", "found a needle too thin for this model");
+        if (setup.buckling == nullptr) return;
+        critical_load_ = setup.buckling->critical_load({needle.bending_stiffness(), needle.length, needle.radius, needle.ends});
+    }
+};
+
+}    // namespace
+
+STYLET_PLUGIN_WITHOUT_PARAMETERS(BeamColumn, "beam_column", "A needle for tests", "none")

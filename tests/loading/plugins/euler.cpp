@@ -1,0 +1,13 @@
+#include <stylet/buckling_model.h>
+
+namespace {
+
+class Euler : public stylet::BucklingModel {
+public:
+    explicit Euler(const stylet::Setup&) {}
+    double critical_load(const stylet::Column& column) const override { return column.length; }
+};
+
+}    // namespace
+
+STYLET_PLUGIN_WITHOUT_PARAMETERS(Euler, "euler", "A buckling model for tests: the length is the load", "none")
