@@ -55,7 +55,8 @@ Curve curve_of(const Recording& recording, const std::string& x_name, const std:
                       fmt::format("{}: found no row where both {} and {} are finite", recording.file.string(), x_name, y_name));
     }
     for (const RecordedEvent& event : recording.events) {
-        if (finite(at(event.row))) curve.marks.push_back({at(event.row), event.name});
+        // A picture has no room for the details that follow a colon.
+        if (finite(at(event.row))) curve.marks.push_back({at(event.row), event.name.substr(0, event.name.find(": "))});
     }
     return curve;
 }
@@ -103,26 +104,50 @@ void thin(Curve& curve, const Figure& figure) {
     curve.points = std::move(kept);
 }
 
-/// Events at one place share a label. Where there are many, each name is written once per curve.
-void gather_marks(Figure& figure) {
-    constexpr double same_place = 0.012;    // of the picture
-    const double width = figure.greatest.x - figure.least.x, height = figure.greatest.y - figure.least.y;
+bool same_place(const Mark& one, const Mark& other, const Figure& figure) {
+    constexpr double near = 0.012;    // of the picture
+    return std::hypot((one.at.x - other.at.x) / (figure.greatest.x - figure.least.x),
+                      (one.at.y - other.at.y) / (figure.greatest.y - figure.least.y)) < near;
+}
+
+/// Where a curve has many events, each name is written only once.
+void drop_repeated_names(Curve& curve) {
+    constexpr std::size_t many = 8;
+    if (curve.marks.size() <= many) return;
+    std::set<std::string> written;
+    for (Mark& mark : curve.marks) {
+        if (!written.insert(mark.text).second) mark.text.clear();
+    }
+}
+
+/// Events of one curve at one place share a marker and a label.
+void join_neighbours(Curve& curve, const Figure& figure) {
+    std::vector<Mark> marks;
+    for (const Mark& mark : curve.marks) {
+        if (marks.empty() || !same_place(marks.back(), mark, figure)) {
+            marks.push_back(mark);
+        } else if (!mark.text.empty()) {
+            marks.back().text += marks.back().text.empty() ? mark.text : ", " + mark.text;
+        }
+    }
+    curve.marks = std::move(marks);
+}
+
+/// Where several curves do the same at the same place, one label speaks for all.
+void share_labels(Figure& figure) {
+    std::vector<Mark*> first;
     for (Curve& curve : figure.curves) {
-        constexpr std::size_t many = 8;
-        const bool once = curve.marks.size() > many;
-        std::set<std::string> written;
-        std::vector<Mark> marks;
         for (Mark& mark : curve.marks) {
-            if (once && !written.insert(mark.text).second) mark.text.clear();
-            const bool joins = !marks.empty() && std::hypot((mark.at.x - marks.back().at.x) / width,
-                                                            (mark.at.y - marks.back().at.y) / height) < same_place;
-            if (!joins) {
-                marks.push_back(mark);
+            const auto told = std::find_if(first.begin(), first.end(), [&](const Mark* other) {
+                return other->text == mark.text && same_place(*other, mark, figure);
+            });
+            if (told == first.end()) {
+                first.push_back(&mark);
             } else if (!mark.text.empty()) {
-                marks.back().text += marks.back().text.empty() ? mark.text : ", " + mark.text;
+                (*told)->shared = true;
+                mark.text.clear();
             }
         }
-        curve.marks = std::move(marks);
     }
 }
 
@@ -136,8 +161,12 @@ Figure figure_of(const std::vector<Recording>& recordings, const std::string& x,
     if (figure.curves.size() == 1) figure.title = figure.curves.front().name;
     drop_shared_beginning(figure.curves);
     set_ranges(figure);
-    for (Curve& curve : figure.curves) thin(curve, figure);
-    gather_marks(figure);
+    for (Curve& curve : figure.curves) {
+        thin(curve, figure);
+        drop_repeated_names(curve);
+        join_neighbours(curve, figure);
+    }
+    share_labels(figure);
     return figure;
 }
 

@@ -14,7 +14,8 @@ struct Point {
 
 struct Mark {
     Point at;
-    std::string text;    // empty: a marker without a label
+    std::string text;       // empty: a marker without a label
+    bool shared = false;    // the label speaks for other curves' markers at this place too
 };
 
 struct Curve {

@@ -19,6 +19,8 @@ constexpr std::array styles{Style{"#0072B2", "solid"},         Style{"#D55E00", 
                             Style{"#CC79A7", "(14,4,3,4)"},    Style{"#E69F00", "(7,4)"},  Style{"#000000", "(20,5)"},
                             Style{"#56B4E9", "(14,4,3,4,3,4)"}};
 
+constexpr const char* shared_colour = "#303030";    // of a label that belongs to several curves
+
 const Style& style(std::size_t curve) {
     return styles[curve % styles.size()];
 }
@@ -44,14 +46,14 @@ public:
         add_axes();
         add_key();
         add_labels();
-        // The dashes of a PNG are counted in its own pixels, of which there are twice as many.
-        add("set terminal svg size {},{} fixed enhanced font 'DejaVu Sans,{}' background rgb 'white'", Page::width, Page::height,
-            Page::font);
+        // Fonts are in points: cairo knows them, SVG counts in pixels.
+        add("set terminal svg size {},{} fixed enhanced font 'DejaVu Sans,{}' fontscale {} background rgb 'white'", Page::width,
+            Page::height, Page::font_points, Page::pixels_per_point);
         add("set output 'figure.svg'");
         add_plot();
         add("set terminal pngcairo size {},{} enhanced font 'DejaVu Sans,{}' fontscale 2 linewidth 2 pointscale 2 background rgb "
             "'white'",
-            2 * Page::width, 2 * Page::height, Page::font);
+            2 * Page::width, 2 * Page::height, Page::font_points);
         add("set output 'figure.png'");
         add_plot();
         add("unset output");
@@ -89,7 +91,7 @@ private:
         add("set border 3 lw 1 lc rgb '#404040'");
         add("set xtics nomirror out textcolor rgb 'black'\nset ytics nomirror out textcolor rgb 'black'");
         add("set grid lt 1 dt solid lw 0.5 lc rgb '#DDDDDD'");
-        add("set xlabel {} noenhanced offset 0,0.2\nset ylabel {} noenhanced offset 0.5,0", quoted(figure_.x_label),
+        add("set xlabel {} noenhanced offset 0,0.2\nset ylabel {} noenhanced offset 1.2,0", quoted(figure_.x_label),
             quoted(figure_.y_label));
         if (!figure_.title.empty()) add("set title {} noenhanced offset 0,-0.2", quoted(figure_.title));
         add("unset key");
@@ -117,8 +119,8 @@ private:
                     screen(label.leader->second));
             }
             add("set label {} at {} center noenhanced front font ',{}' textcolor rgb '{}'", quoted(label.text),
-                screen({(label.box.left + label.box.right) / 2.0, (label.box.top + label.box.bottom) / 2.0}), Page::label_font,
-                style(label.curve).colour);
+                screen({(label.box.left + label.box.right) / 2.0, (label.box.top + label.box.bottom) / 2.0}),
+                Page::label_font_points, label.curve ? style(*label.curve).colour : shared_colour);
         }
     }
 

@@ -3,8 +3,8 @@
 #include "apps/stylet/failure.h"
 #include "core/scene/reader.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <new>

@@ -100,6 +100,7 @@ void Page::place_labels() {
             const double label_width = text_width(mark.text, label_font) + 4.0, label_height = 1.25 * label_font;
             double best = std::numeric_limits<double>::infinity();
             PlacedLabel label{mark.text, c, {}, {}};
+            if (mark.shared) label.curve.reset();
             for (const double distance : {7.0, 12.0, 20.0, 30.0, 44.0, 60.0, 80.0, 110.0}) {
                 for (int direction = 0; direction < 16; ++direction) {
                     const double angle = std::numbers::pi * direction / 8.0;

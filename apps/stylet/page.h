@@ -26,16 +26,17 @@ struct Box {
 /// A label's place; `leader` runs from the marker to the label where they are apart.
 struct PlacedLabel {
     std::string text;
-    std::size_t curve;
+    std::optional<std::size_t> curve;    // none: several curves share it
     Box box;
     std::optional<std::pair<Point, Point>> leader;
 };
 
 class Page {
 public:
-    // At its natural size (96 pixels per inch) 16 pixels of font are 12 points.
-    static constexpr double width = 640.0, height = 440.0;
-    static constexpr double font = 16.0, label_font = 14.0;
+    static constexpr double width = 640.0, height = 440.0;    // [pixels], 169 mm × 116 mm in print
+    static constexpr double font_points = 12.0, label_font_points = 10.5;
+    static constexpr double pixels_per_point = 96.0 / 72.0;
+    static constexpr double font = font_points * pixels_per_point, label_font = label_font_points * pixels_per_point;
 
     explicit Page(const Figure& figure);
 

@@ -20,11 +20,12 @@ namespace fs = std::filesystem;
 constexpr const char* examples =
     R"(Runs each scene to its end and writes FOLDER/<scene>.csv, a row for each tick, while it goes. Ends with a
 summary: events, peak force, when the needle buckled and at what load, the energy ledger, the time a tick took.
+Plugins are looked for in each --plugin-dir, then in the folders of STYLET_PLUGIN_PATH, then in the install.
 
 Examples:
   stylet run scenes/paper/fig10a_l200.yaml
   stylet run scenes/paper/fig10a_l*.yaml --out results
-  stylet run scenes/paper/fig9.yaml --set needle.length='180 mm' --json fig9.json
+  stylet run scenes/paper/fig9.yaml --set needle.length='180 mm' --set 'effects[0].rupture_force=0.7 N' --json fig9.json
   stylet run scenes/paper/fig9.yaml --json - | python3 -m json.tool
 
 Exit codes: 0 ok, 1 a run ended with a fault, 2 a scene is wrong (nothing is run then), 3 wrong command line,
@@ -123,12 +124,8 @@ Command run_command(CLI::App& line) {
     CLI::App* options = line.add_subcommand("run", "Run scenes, record them, sum them up");
     options->footer(examples);
     arguments->scenes.add_to(*options);
-    options->add_option("--out", arguments->out, "Folder for the recordings, made where it is missing")
-        ->type_name("FOLDER")
-        ->capture_default_str();
-    options
-        ->add_option("--json", arguments->json,
-                     "Write the summary of the one scene as JSON too, '-' for stdout in place of the text")
+    options->add_option("--out", arguments->out, "Folder for the recordings")->type_name("FOLDER")->capture_default_str();
+    options->add_option("--json", arguments->json, "The summary of the one scene as JSON; - for stdout, without the text")
         ->type_name("FILE");
     options->add_flag("--quiet", arguments->quiet, "No progress bar and no summary");
     return {options, [arguments] { return run_all(*arguments); }};

@@ -7,11 +7,9 @@
 namespace stylet::app {
 
 void add_plugin_dir(CLI::App& options, std::vector<std::string>& folders) {
-    options
-        .add_option("--plugin-dir", folders,
-                    "Look for plugins here first, then in STYLET_PLUGIN_PATH, then in the install; may be given several times")
+    options.add_option("--plugin-dir", folders, "Look for plugins here first; may be given several times")
         ->type_name("DIR")
-        ->check(CLI::ExistingDirectory)
+        ->check(CLI::Validator(CLI::ExistingDirectory).description(""))
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
@@ -22,10 +20,7 @@ core::PluginFolders plugin_folders(const std::vector<std::string>& given) {
 
 void SceneArguments::add_to(CLI::App& options) {
     options.add_option("SCENE", files_, "Scenes to read")->required()->type_name("FILE");
-    options
-        .add_option("--set", set_,
-                    "Replace a value of the scene, for instance --set needle.length='180 mm' or "
-                    "--set 'effects[0].rupture_force=0.7 N'; may be given several times")
+    options.add_option("--set", set_, "Replace a value of the scene; may be given several times")
         ->type_name("KEY=VALUE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -14,7 +14,9 @@ using Align = Table::Align;
 
 std::string quantity(double value, int decimals, const char* unit) {
     if (!std::isfinite(value)) return value > 0.0 ? "unlimited" : "none";
-    return fmt::format("{:.{}f} {}", value, decimals, unit);
+    const double last_digit = std::pow(10.0, -decimals);
+    const double shown = std::abs(value) < last_digit / 2.0 ? 0.0 : value;    // never "-0.00"
+    return fmt::format("{:.{}f} {}", shown, decimals, unit);
 }
 
 std::string seconds(double s) {
