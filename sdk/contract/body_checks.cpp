@@ -34,6 +34,14 @@ void compliance_is_symmetric(const Descriptor& plugin, const Case& with) {
     });
 }
 
+/// Where the contacts are: a needle says so by itself, a tissue through its linearisation only.
+VectorX seen_places(const Rig& rig, const VectorX& forces) {
+    if (rig.needle == nullptr) return rig.positions(forces);
+    VectorX places(forces.size());
+    for (std::size_t i = 0; i < rig.points.size(); ++i) places.segment<3>(3 * i) = rig.needle->position(rig.points[i].arclength);
+    return places;
+}
+
 void contacts_move_as_the_compliance_says(const Descriptor& plugin, const Case& with) {
     at_both_depths(plugin, with, [](Rig& rig) {
         ASSERT_TRUE(rig.advance(rig.load));
@@ -41,7 +49,7 @@ void contacts_move_as_the_compliance_says(const Descriptor& plugin, const Case& 
             rig.body->rollback();
             rig.predict();
             EXPECT_TRUE(rig.converge(forces));
-            return rig.positions(forces);
+            return seen_places(rig, forces);
         };
         const VectorX here = answer(rig.load);
         const MatrixX w = rig.body->linearise(rig.points, 0.0).compliance;
@@ -85,7 +93,7 @@ void rollback_restores_every_bit(const Descriptor& plugin, const Case& with) {
         rig.free_length *= 0.9;
         rig.predict();
         (void)rig.converge(1.3 * rig.load);
-        if (rig.load.norm() > 0.0 && rig.needle != nullptr) {
+        if (rig.needle != nullptr) {
             EXPECT_FALSE(same_bits(committed, answers(rig))) << "the trial changed nothing";
         }
         rig.base = base;
@@ -175,6 +183,22 @@ void takes_no_contacts_at_all(const Descriptor& plugin, const Case& with) {
     });
 }
 
+/// A coupling that halves its step compares the energies of trials, and the books read the same after the commit.
+void energy_is_that_of_the_latest_trial(const Descriptor& plugin, const Case& with) {
+    at_both_depths(plugin, with, [](Rig& rig) {
+        ASSERT_TRUE(rig.advance(0.5 * rig.load));
+        const auto reported = [&rig] {
+            const EnergyReport energy = rig.body->energy();
+            return std::vector{energy.stored, energy.kinetic, energy.damping, energy.numerical};
+        };
+        rig.predict();
+        ASSERT_TRUE(rig.converge(rig.load));
+        const std::vector<double> tried = reported();
+        rig.body->commit();
+        EXPECT_TRUE(same_bits(tried, reported()));
+    });
+}
+
 /// One tick and everything that core asks in it.
 void ask_everything(const Rig& rig, ContactPoints points, Forces forces, std::span<Vector3> line) {
     rig.predict();
@@ -223,6 +247,7 @@ std::vector<Check> body_checks() {
             {"ContactsMoveAsTheComplianceSays", contacts_move_as_the_compliance_says},
             {"LineariseIsRepeatable", linearise_is_repeatable},
             {"RollbackRestoresEveryBit", rollback_restores_every_bit},
+            {"EnergyIsThatOfTheLatestTrial", energy_is_that_of_the_latest_trial},
             {"SameCallsGiveTheSameBits", same_calls_give_the_same_bits},
             {"EnergyIsTheWorkOfTheForces", energy_is_the_work_of_the_forces},
             {"LostEnergyNeverComesBack", lost_energy_never_comes_back},

@@ -129,7 +129,7 @@ struct Slider {
         constexpr double stiffness = 200.0;    // [N/m]
         const ContactLaw law = law_of(effect, contact);
         const double own = law.own_force.dot(contact.axis);
-        const double limit = contact.tip ? law.tip_limit : law.axial_limit;
+        const double limit = std::max(0.0, contact.tip ? law.tip_limit : law.axial_limit);
         const double before = stiffness * (drag - place);
         const double held = stiffness * (next_drag - place) + own;    // resisted by the contact while it sticks
         const double resisting = std::clamp(held, contact.tip ? 0.0 : -limit, limit);

@@ -110,6 +110,20 @@ void unloaded_it_is_straight(const Descriptor& plugin, const Case& with) {
     });
 }
 
+void hand_feels_what_was_committed(const Descriptor& plugin, const Case& with) {
+    at_both_depths(plugin, with, [](Rig& rig) {
+        ASSERT_TRUE(rig.advance(0.5 * rig.load));
+        const Wrench wrench = rig.needle->base_wrench();
+        const NeedleState state = rig.needle->state();
+        rig.predict();
+        (void)rig.converge(rig.load);
+        EXPECT_EQ(rig.needle->base_wrench().force, wrench.force);
+        EXPECT_EQ(rig.needle->base_wrench().moment, wrench.moment);
+        EXPECT_EQ(rig.needle->state().axial_load, state.axial_load);
+        EXPECT_EQ(rig.needle->state().deflection, state.deflection);
+    });
+}
+
 double total(const EnergyReport& energy) {
     return energy.stored + energy.kinetic + energy.damping + energy.numerical;
 }
@@ -186,6 +200,7 @@ std::vector<Check> needle_checks() {
     std::vector<Check> checks = body_checks();
     checks.insert(checks.end(), {{"MovesRigidlyWithItsBase", moves_rigidly_with_its_base},
                                  {"BaseBalancesTheContacts", base_balances_the_contacts},
+                                 {"HandFeelsWhatWasCommitted", hand_feels_what_was_committed},
                                  {"PlacesAgree", places_agree},
                                  {"UnloadedItIsStraight", unloaded_it_is_straight},
                                  {"EnergyComesThroughTheBase", energy_comes_through_the_base},

@@ -52,7 +52,7 @@ void locates_its_layers(const Descriptor& plugin, const Case& with) {
     const auto layer_at = [&tissue](double z) { return tissue.locate(Vector3(0.0, 0.0, z)).layer; };
     EXPECT_EQ(tissue.locate(Vector3::Zero()).depth, 0.0);
     EXPECT_EQ(layer_at(0.0), 0) << "the surface belongs to the first layer";
-    EXPECT_EQ(layer_at(1e-9), outside);
+    EXPECT_EQ(layer_at(1e-3), outside);
     EXPECT_LT(tissue.locate(Vector3(0.0, 0.0, 1e-3)).depth, 0.0);
     EXPECT_EQ(layer_at(-with.tissue.extent.z() - 1e-3), outside) << "below the bottom";
     EXPECT_EQ(tissue.locate(Vector3(with.tissue.extent.x(), 0.0, -1e-3)).layer, outside) << "beside the block";
