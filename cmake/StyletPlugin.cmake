@@ -4,6 +4,8 @@ function(stylet_add_plugin name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
   add_library(${name} MODULE ${name}.cpp ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE Stylet::sdk ${arg_LIBRARIES})
+  # g++'s unique symbols (one std::to_string is enough) would keep a library mapped after core has closed it.
+  target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
   target_link_options(${name} PRIVATE -Wl,-z,defs)
   set_target_properties(${name} PROPERTIES PREFIX "" SUFFIX ".so" CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
     LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib/stylet/plugins)
