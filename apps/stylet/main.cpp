@@ -58,7 +58,7 @@ int main_of(int argc, char** argv) {
     line.footer(more);
     line.set_version_flag("--version", "stylet " STYLET_VERSION, "Show the version");
     line.set_help_flag("-h,--help", "Show this help");
-    line.require_subcommand(1);
+    line.require_subcommand(0, 1);
     const std::vector<Command> commands{run_command(line), check_command(line), plugins_command(line), scenes_command(line),
                                         plot_command(line)};
     try {
@@ -69,7 +69,8 @@ int main_of(int argc, char** argv) {
     for (const Command& command : commands) {
         if (command.options->parsed()) return execute(command);
     }
-    return static_cast<int>(ExitCode::wrong_command);
+    return complain("stylet: found no command, wanted run, check, plugins, scenes or plot; stylet --help tells more",
+                    ExitCode::wrong_command);
 }
 
 }    // namespace

@@ -54,8 +54,9 @@ std::string_view take(std::string_view& text, std::string_view separator) {
 
 /// Reads the '#' lines; leaves `lines` at the header.
 void read_comments(WholeLines& lines, Recording& recording) {
-    if (!lines.next() || !lines.text().starts_with('#'))
-        lines.fail(fmt::format("found no recording, wanted \"{}\" first", signature));
+    if (!lines.next())
+        throw Failure(ExitCode::wrong_input,
+                      fmt::format("{}:1: found nothing, wanted \"{}\"", recording.file.string(), signature));
     if (lines.text() != signature) {
         lines.fail(fmt::format("found \"{}\", wanted \"{}\": this is no recording, or one of another version",
                                lines.text().substr(0, 60), signature));

@@ -80,8 +80,9 @@ FinishedRun run_one(const core::Scene& scene, const std::string& name, const fs:
     if (!arguments.quiet) options.progress = [&bar](double fraction) { bar.show(fraction); };
     try {
         return {name, recording.string(), core::run(scene, arguments.scenes.folders(), options)};
-    } catch (const Error& error) {
-        throw Failure(ExitCode::missing, error.what());
+    } catch (const Error& error) {    // with a key it is the scene's fault, without one the recording's
+        if (error.key().empty()) throw Failure(ExitCode::missing, error.what());
+        throw Failure(ExitCode::wrong_input, fmt::format("{}: {}: {}", name, error.key(), error.what()));
     }
 }
 
