@@ -28,7 +28,7 @@ Choice read_type(const ValueTree& map, const std::string& path, Role role, Readi
     const ValueTree* type = map.find("type");
     if (type == nullptr) {
         miss_key(map, join(path, "type"), wanted, reading);
-    } else if (type->shape != ValueTree::Shape::scalar) {
+    } else if (type->text.empty()) {    // of a list or a map, too
         reading.complaints.add(type->place, join(path, "type"), "found " + type->description() + ", wanted " + wanted);
     } else {
         choice.type = type->text;

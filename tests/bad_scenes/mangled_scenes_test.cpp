@@ -52,7 +52,7 @@ constexpr std::string_view telling = "{}[]:,-#&*!|>'\"%@`?~ \n\t^/.0123456789eEx
 
 std::string mangled(std::string text, std::mt19937& random) {
     const auto any_below = [&](std::size_t bound) { return std::uniform_int_distribution<std::size_t>(0, bound - 1)(random); };
-    for (std::size_t times = 1 + any_below(4); times > 0; --times) {
+    for (std::size_t times = 1 + any_below(4); times > 0 && !text.empty(); --times) {
         const std::size_t at = any_below(text.size());
         const std::size_t length = std::min(text.size() - at, 1 + any_below(20));
         const char letter = any_below(2) == 0 ? telling[any_below(telling.size())] : static_cast<char>(any_below(256));

@@ -42,6 +42,11 @@ TEST(Overrides, AreCheckedAsTheSceneIs) {
     EXPECT_EQ(found, expected);
 }
 
+TEST(Overrides, MayNotLeaveATypeEmpty) {
+    const Messages expected{"--set device.type: found '', wanted the name of a device"};
+    EXPECT_EQ(complaints({{"device.type", "''"}}), expected);
+}
+
 TEST(Overrides, SayWhichParentIsNotThere) {
     const Messages expected{"--set nedle.radius: found no key 'nedle' in the scene; did you mean 'needle'?"};
     EXPECT_EQ(complaints({{"nedle.radius", "1 mm"}}), expected);
