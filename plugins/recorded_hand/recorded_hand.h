@@ -24,15 +24,11 @@ public:
 
     DeviceLimits limits() const override;
     Pose pose(double time) override;
-    void write(const Wrench& wrench) override { felt_ = wrench; }
+    void write(const Wrench&) override {}    // a recording does not yield; core's recorder keeps the wrench
     double duration() const override { return keys_.back().time; }
-
-    /// What the last write gave the hand.
-    [[nodiscard]] const Wrench& felt() const { return felt_; }
 
 private:
     std::vector<Key> keys_;    // at least one; times rise strictly
-    Wrench felt_;
 };
 
 }    // namespace stylet::recorded_hand

@@ -3,7 +3,6 @@
 #include <atomic>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#include <sanitizer/allocator_interface.h>
 #define STYLET_SANITIZER_ALLOCATES 1
 #else
 #include <cerrno>
@@ -27,7 +26,10 @@ std::size_t allocations() {
 // operator new of libstdc++ and Eigen's own allocation both end in malloc: counting that one counts all.
 #ifdef STYLET_SANITIZER_ALLOCATES
 
-// The sanitizer owns malloc, and calls those who ask.
+// The sanitizer owns malloc, and calls those who ask. Declared here because g++ 12 comes without sanitizer/allocator_interface.h.
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void*, std::size_t),
+                                                         void (*on_free)(const volatile void*));
+
 namespace {
 
 const int hooks_installed =
