@@ -77,6 +77,7 @@ TEST(Contract, NoticesEveryFlawOfANeedle) {
         {"starts bent", "UnloadedItIsStraight"},
         {"half the energy", "EnergyComesThroughTheBase"},
         {"no entry force", "EntryForceIsTheEnergyOfFreeLength"},
+        {"jumps with the free length", "AFreeLengthToldAtOnceMovesNothing"},
         {"divides by the free length", "AnyFreeLengthGivesFiniteAnswers"},
     });
 }

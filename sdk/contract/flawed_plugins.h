@@ -120,13 +120,14 @@ private:
     MatrixX compliance_ = MatrixX::Zero(3 * max_contacts, 3 * max_contacts);
 };
 
-/// A needle that only shortens, like a spring of stiffness K/L: δ = N L/K, U = N² L/2K, entry force N²/2K (N its compression).
+/// A needle that only shortens, like a spring of stiffness K/L: δ = N L/K, U = Kδ²/2L, entry force Kδ²/2L² (N its compression).
 class FlawedNeedle final : public NeedleModel {
 public:
     explicit FlawedNeedle(const Setup& setup) : flaw_(setup), length_(setup.needle.length) {}
 
     void predict(const Pose& base, double free_length, double) override {
         trial_.base = base;
+        if (flaw_.is("jumps with the free length")) trial_.shortening *= free_length / trial_.free_length;
         trial_.free_length = free_length;
     }
 
@@ -152,7 +153,8 @@ public:
             trial_.moment += points[static_cast<std::size_t>(i)].arclength * axis.cross(force);
         }
         trial_.compression = -trial_.force.dot(axis);
-        trial_.moment -= shortening(trial_) * axis.cross(trial_.force);    // every contact moved back by as much
+        trial_.shortening = trial_.compression * trial_.free_length / stiffness;
+        trial_.moment -= trial_.shortening * axis.cross(trial_.force);    // every contact moved back by as much
         return {};
     }
 
@@ -165,12 +167,13 @@ public:
     [[nodiscard]] EnergyReport energy() const override {
         const State& state = flaw_.is("energy of the commit") ? state_ : trial_;
         const double part = flaw_.is("half the energy") ? 0.25 : 0.5;
-        return {.stored = part * state.compression * state.compression * state.free_length / stiffness};
+        return {.stored =
+                    state.shortening == 0.0 ? 0.0 : part * stiffness * state.shortening * state.shortening / state.free_length};
     }
 
     [[nodiscard]] Vector3 position(double arclength) const override {
         const double part = arclength < trial_.free_length ? arclength / trial_.free_length : 1.0;
-        const double back = flaw_.is("position ignores the load") ? 0.0 : part * shortening(trial_);
+        const double back = flaw_.is("position ignores the load") ? 0.0 : part * trial_.shortening;
         return trial_.base.position + (arclength - (arclength > 0.0 ? back : 0.0)) * trial_.base.axis();
     }
     [[nodiscard]] Vector3 tangent(double) const override {
@@ -178,8 +181,8 @@ public:
     }
     [[nodiscard]] double entry_force() const override {
         if (flaw_.is("no entry force")) return 0.0;
-        if (flaw_.is("divides by the free length")) return 0.5 * stiffness * std::pow(shortening(trial_) / trial_.free_length, 2);
-        return 0.5 * trial_.compression * trial_.compression / stiffness;
+        if (trial_.shortening == 0.0 && !flaw_.is("divides by the free length")) return 0.0;
+        return 0.5 * stiffness * std::pow(trial_.shortening / trial_.free_length, 2);
     }
     [[nodiscard]] Wrench base_wrench() const override {
         const State& state = reported();
@@ -189,7 +192,7 @@ public:
         return {.critical_load = 1.0, .axial_load = reported().compression, .deflection = flaw_.is("starts bent") ? 0.01 : 0.0};
     }
     void centreline(std::span<Vector3> points) const override {
-        const double spacing = (length_ - shortening(state_)) / static_cast<double>(points.size() - 1);
+        const double spacing = (length_ - state_.shortening) / static_cast<double>(points.size() - 1);
         for (std::size_t i = 0; i < points.size(); ++i)
             points[i] = state_.base.position + static_cast<double>(i) * spacing * state_.base.axis();
     }
@@ -200,12 +203,12 @@ private:
     struct State {
         Pose base;
         double free_length = 0.0;    // [m]
+        double shortening = 0.0;     // [m]
         double compression = 0.0;    // [N]
         Vector3 force = Vector3::Zero();
         Vector3 moment = Vector3::Zero();
     };
 
-    [[nodiscard]] static double shortening(const State& state) { return state.compression * state.free_length / stiffness; }
     [[nodiscard]] const State& reported() const { return flaw_.is("reports the trial") ? trial_ : state_; }
 
     Flaw flaw_;

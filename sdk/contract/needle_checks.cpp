@@ -184,6 +184,28 @@ void entry_force_is_the_energy_of_free_length(const Descriptor& plugin, const Ca
     });
 }
 
+/// Core tells the free length that a step has led to just before the commit.
+void a_free_length_told_at_once_moves_nothing(const Descriptor& plugin, const Case& with) {
+    at_both_depths(plugin, with, [](Rig& rig) {
+        rig.predict();
+        ASSERT_TRUE(rig.converge(rig.load));
+        const auto places = [&rig] {
+            std::vector<double> all;
+            for (const ContactPoint& point : rig.points) {
+                const Vector3 place = rig.needle->position(point.arclength);
+                all.insert(all.end(), place.begin(), place.end());
+            }
+            return all;
+        };
+        const std::vector<double> before = places();
+        rig.needle->predict(rig.base, 0.99 * rig.free_length, 0.0);
+        EXPECT_TRUE(same_bits(before, places()));
+        rig.body->commit();
+        EXPECT_TRUE(same_bits(before, places()));
+        EXPECT_TRUE(all_finite(answers(rig)));
+    });
+}
+
 void any_free_length_gives_finite_answers(const Descriptor& plugin, const Case& with) {
     for (const double free_length : {0.0, 1e-300, 1e-12, with.needle.radius, with.needle.length}) {
         SCOPED_TRACE("a free length of " + std::to_string(1e3 * free_length) + " mm");
@@ -205,6 +227,7 @@ std::vector<Check> needle_checks() {
                                  {"UnloadedItIsStraight", unloaded_it_is_straight},
                                  {"EnergyComesThroughTheBase", energy_comes_through_the_base},
                                  {"EntryForceIsTheEnergyOfFreeLength", entry_force_is_the_energy_of_free_length},
+                                 {"AFreeLengthToldAtOnceMovesNothing", a_free_length_told_at_once_moves_nothing},
                                  {"AnyFreeLengthGivesFiniteAnswers", any_free_length_gives_finite_answers}});
     return checks;
 }
