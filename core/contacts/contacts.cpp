@@ -38,6 +38,11 @@ double Contacts::free_length() const {
     return shaft_.empty() ? length_ : std::clamp(shaft_.front().arclength, 0.0, length_);
 }
 
+double Contacts::free_length_after(const ContactSet& set) const {
+    if (shaft_.empty()) return length_;
+    return std::clamp(shaft_.front().arclength - set.rows[entry_row()].advance, 0.0, length_);
+}
+
 void Contacts::remember(const NeedleModel& needle) {
     tip_position_ = needle.position(length_);
     tip_known_ = true;
@@ -108,7 +113,7 @@ ContactRow Contacts::tip_row(TipState tip, const ContactPoint& point, const Need
 void Contacts::add_shaft(int i, const NeedleModel& needle, const TissueModel& tissue, Effects effects, ContactSet& set) const {
     const ShaftContact& shaft = shaft_[i];
     const ContactPoint point{
-        .material = track_.node(i), .span = track_.span(i), .arclength = std::max(0.0, shaft.arclength), .tip = false};
+        .material = track_.node(i), .span = track_.covered_span(i, way_), .arclength = std::max(0.0, shaft.arclength), .tip = false};
     const Vector3 axis = needle.tangent(point.arclength);
     const bool past_base = shaft.arclength < 0.0;
     const Contact contact{.tip = false,
@@ -123,7 +128,8 @@ void Contacts::add_shaft(int i, const NeedleModel& needle, const TissueModel& ti
     const ContactLaw law = law_of(contact, effects);
     ContactRow row;
     row.frame = frame_of(axis);
-    row.lateral = !past_base && contact.coverage > 0.0;
+    // A piece shorter than the needle is thick stands where the tip stands: the tip's lateral row holds both.
+    row.lateral = !past_base && contact.coverage > radius_;
     row.upper = law.axial_limit;
     row.lower = -law.axial_limit;
     row.own_force = law.own_force;
@@ -193,7 +199,8 @@ ContactChange Contacts::absorb_inside(const NeedleModel& needle, const TissueMod
         change.event = "left the tissue";
     }
     outside_ = now_outside;
-    moved_ = way_ != before || lay_shaft();
+    const bool laid = lay_shaft();
+    moved_ = laid || way_ != before;
     return change;
 }
 

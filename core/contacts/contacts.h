@@ -46,6 +46,7 @@ public:
     [[nodiscard]] TipState tip() const { return tip_; }
     [[nodiscard]] double inserted() const { return tip_ == TipState::inside ? way_ : 0.0; }    // [m] of the tip along its track
     [[nodiscard]] double free_length() const;                                                  // [m]
+    [[nodiscard]] double free_length_after(const ContactSet& set) const;                       // [m] once `set` is absorbed
     [[nodiscard]] int shaft_contacts() const { return static_cast<int>(shaft_.size()); }
     [[nodiscard]] int entry_row() const { return tip_ == TipState::inside && !shaft_.empty() ? 1 : -1; }
 

@@ -30,12 +30,12 @@ public:
 
     [[nodiscard]] Vector3 material(double way) const;    // [m] undeformed point at a way from the entry
     [[nodiscard]] Vector3 node(int i) const { return nodes_[i].material; }
-    [[nodiscard]] Vector3 span(int i) const { return spacing_ * nodes_[i].direction; }
     [[nodiscard]] double way_of(int i) const { return i * spacing_; }
     [[nodiscard]] int nodes() const { return static_cast<int>(nodes_.size()); }
 
     /// How much of the piece at node `i` has tissue around it and a needle in it, with the tip at `way` [m].
     [[nodiscard]] double covered(int i, double way) const;
+    [[nodiscard]] Vector3 covered_span(int i, double way) const { return covered(i, way) * nodes_[i].direction; }
 
     [[nodiscard]] double cut() const { return cut_; }    // [m] longest way the tip has been
     [[nodiscard]] double spacing() const { return spacing_; }

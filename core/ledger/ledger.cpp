@@ -21,18 +21,17 @@ double slip_work(const ContactRow& row) {
 double released(const ContactSet& contacts, double relocation) {
     double work = -relocation;
     for (const ContactRow& row : contacts.rows) {
-        work += 0.5 * (row.old_force + row.force).dot(row.frame * row.carried_over);
+        work -= 0.5 * (row.old_force + row.force).dot(row.frame * row.carried_over);
     }
     return work;
 }
 
-struct BodyEnergies {
-    double stored, kinetic, damping, numerical;
-};
-
-BodyEnergies both(const NeedleModel& needle, const TissueModel& tissue) {
+EnergyReport both(const NeedleModel& needle, const TissueModel& tissue) {
     const EnergyReport n = needle.energy(), t = tissue.energy();
-    return {n.stored + t.stored, n.kinetic + t.kinetic, n.damping + t.damping, n.numerical + t.numerical};
+    return {.stored = n.stored + t.stored,
+            .kinetic = n.kinetic + t.kinetic,
+            .damping = n.damping + t.damping,
+            .numerical = n.numerical + t.numerical};
 }
 
 }    // namespace
@@ -47,7 +46,7 @@ void Ledger::close(const HandStep& hand, const ContactSet& contacts, double relo
     balance_.burst -= fracture;
     balance_.fracture += fracture;
     balance_.released += released(contacts, relocation);
-    const BodyEnergies now = both(needle, tissue);
+    const EnergyReport now = both(needle, tissue);
     balance_.stored = now.stored;
     balance_.kinetic = now.kinetic;
     balance_.damping = now.damping;
@@ -58,7 +57,7 @@ void Ledger::close(const HandStep& hand, const ContactSet& contacts, double relo
 
 double Ledger::imbalance_at_rest(const ContactSet& contacts, double relocation, const NeedleModel& needle,
                                  const TissueModel& tissue) const {
-    const BodyEnergies now = both(needle, tissue);
+    const EnergyReport now = both(needle, tissue);
     double change = now.stored + now.kinetic + now.damping + now.numerical -
                     (balance_.stored + balance_.kinetic + balance_.damping + balance_.numerical);
     for (const ContactRow& row : contacts.rows) change += slip_work(row);

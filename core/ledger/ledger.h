@@ -36,7 +36,7 @@ struct HandStep {
 ///     hand work = Δ(stored + kinetic) + fracture + friction + burst + released + damping + numerical + residual
 ///
 /// Paper's Eq. (7) is this balance solved for the force. A step's slip w does the work ½(λₙ + λₙ₊₁) w; at the tip what exceeds
-/// fracture is burst. `released` is what moving a contact's point through the tissue changes: Σ ½(fₙ + fₙ₊₁)·(carried over) − ΔE.
+/// fracture is burst. `released` is what moving a contact's point through the tissue frees: −ΔE − Σ ½(fₙ + fₙ₊₁)·(carried over).
 class Ledger {
 public:
     /// Takes a committed step. `relocation` is the coupling's; `fracture` [J] the effects'.

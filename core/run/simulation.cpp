@@ -14,6 +14,7 @@ constexpr int most_halvings = 6;
 constexpr double run_on_imbalance = 1e-5;
 constexpr double smallest_piece = 1.0 / 256.0;    // of the spacing
 constexpr int most_pieces = 20000;
+constexpr double quiet = 1e-6;    // of the spacing: a tip that ran on by less has stopped
 
 Pose between(const Pose& a, const Pose& b, double fraction) {
     return {.position = a.position + fraction * (b.position - a.position), .rotation = a.rotation.slerp(fraction, b.rotation)};
@@ -51,6 +52,7 @@ void Simulation::tick() {
         const bool found = move_to(target, dt_, 0);
         if (!found && !lost_) raise("not converged");
         lost_ = !found;
+        announce();
     }
     take_sample(before, books_before);
     write_to_device();
@@ -72,6 +74,8 @@ bool Simulation::step(const Pose& target, double dt, double most_advance) {
     tissue_.predict(dt);
     contacts_.arrange(needle_, tissue_, effects_, set_);
     const CouplingReport report = coupling_.solve(needle_, tissue_, set_, contacts_.entry_row(), most_advance, dt);
+    // Slip at the mouth of the track has changed the free length: a bowed needle's energy with it, in this step's books.
+    needle_.predict(target, contacts_.free_length_after(set_), 0.0);
     const bool at_rest = dt == 0.0;
     const bool sloppy =
         at_rest && most_advance > smallest_piece * spacing_ &&
@@ -81,7 +85,7 @@ bool Simulation::step(const Pose& target, double dt, double most_advance) {
         tissue_.rollback();
         return false;
     }
-    close(target, report);
+    close(target, report, at_rest);
     return true;
 }
 
@@ -100,7 +104,7 @@ void Simulation::run_on() {
     }
 }
 
-void Simulation::close(const Pose& target, const CouplingReport& report) {
+void Simulation::close(const Pose& target, const CouplingReport& report, bool at_rest) {
     HandStep hand{.before = base_, .after = target, .wrench_before = needle_.base_wrench(), .wrench_after = {}};
     needle_.commit();
     tissue_.commit();
@@ -117,18 +121,19 @@ void Simulation::close(const Pose& target, const CouplingReport& report) {
         for (const auto& effect : effects_) fracture += effect->settle(settlement);
     }
     ledger_.close(hand, set_, report.relocation, fracture, needle_, tissue_);
-    held_back_ = change.punctured || report.tip_held_back;
-    announce(change);
+    const bool ran_on = at_rest && !set_.empty() && set_.rows.front().advance > quiet * spacing_;
+    held_back_ = change.punctured || report.tip_held_back || ran_on;
+    if (change.event != nullptr) raise(change.event);
+    ever_punctured_ = ever_punctured_ || change.punctured;
 }
 
-void Simulation::announce(const ContactChange& change) {
-    if (change.event != nullptr) raise(change.event);
+// What the tick came to. In the middle of a rupture the forces are not in equilibrium, so nothing is announced there.
+void Simulation::announce() {
     ever_touched_ = ever_touched_ || contacts_.tip() != TipState::free;
     const bool buckled = needle_.state().buckled;
     if (buckled && !buckled_) raise(ever_punctured_ ? "second buckling" : "buckled");
     if (!buckled && buckled_) raise("straightened");
     buckled_ = buckled;
-    ever_punctured_ = ever_punctured_ || change.punctured;
     if (const bool at_tissue = contacts_.free_length() <= 0.0; at_tissue != base_at_tissue_) {
         if (at_tissue) raise("base at the tissue");
         base_at_tissue_ = at_tissue;

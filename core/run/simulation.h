@@ -59,8 +59,8 @@ private:
     bool move_to(const Pose& target, double dt, int halvings);
     bool step(const Pose& target, double dt, double most_advance);
     void run_on();
-    void close(const Pose& target, const CouplingReport& report);
-    void announce(const ContactChange& change);
+    void close(const Pose& target, const CouplingReport& report, bool at_rest);
+    void announce();
     void raise(const char* name);
     void take_sample(const Pose& before, const Balance& books_before);
     void write_to_device();

@@ -7,9 +7,10 @@ namespace stylet::half_space {
 
 namespace {
 
-// A shaft contact is sampled every needle diameter, but never more often than this: the cost of a new contact goes with its
-// square.
-constexpr int most_samples = 8;
+// Points that share a shaft contact's force evenly. A fixed number: the compliance then changes smoothly while the piece grows.
+constexpr int shaft_samples = 8;
+// A piece of shaft of no length stands where the tip stands. This much softer, in its own place, it stays a contact of its own.
+constexpr double independence = 1e-9;
 // An odd number of cache lines between columns, so that a row of the compliance doesn't fall into one cache set.
 constexpr int column_padding = 8;
 // [m] A point this close above the surface is on it: rounding must not push a touching tip out of the tissue.
@@ -27,12 +28,16 @@ double common_poisson_ratio(const TissueSetup& tissue) {
     return first;
 }
 
+// The needle's arclength at a contact means nothing to the tissue.
+bool same_tissue(const ContactPoint& a, const ContactPoint& b) {
+    return a.material == b.material && a.span == b.span && a.tip == b.tip;
+}
+
 }    // namespace
 
 HalfSpace::HalfSpace(const Setup& setup)
     : setup_(setup.tissue),
       kernel_(common_poisson_ratio(setup.tissue), setup.needle.radius),
-      radius_(setup.needle.radius),
       patches_(max_contacts),
       free_(3 * max_contacts),
       compliance_(MatrixX::Zero(3 * max_contacts + column_padding, 3 * max_contacts)),
@@ -41,13 +46,12 @@ HalfSpace::HalfSpace(const Setup& setup)
         bottoms_.push_back((bottoms_.empty() ? 0.0 : bottoms_.back()) + layer.thickness);
     }
     bottoms_.back() = setup_.extent.z();
-    for (Patch& patch : patches_) patch.samples.resize(most_samples);
+    for (Patch& patch : patches_) patch.samples.resize(shaft_samples);
 }
 
 void HalfSpace::place(Patch& patch, const ContactPoint& point) const {
-    const double length = point.span.norm();
     patch.point = point;
-    patch.count = std::clamp(static_cast<int>(std::lround(length / (2.0 * radius_))), 1, most_samples);
+    patch.count = point.tip ? 1 : shaft_samples;
     for (int i = 0; i < patch.count; ++i) {
         patch.samples[i] = point.material + (i + 0.5) / patch.count * point.span;
     }
@@ -73,7 +77,7 @@ void HalfSpace::fill(int row, int count) {
         compliance_.block<3, 3>(3 * other, 3 * row) = mutual.transpose();
     }
     const Matrix3 self = block(patch, patch);
-    compliance_.block<3, 3>(3 * row, 3 * row) = 0.5 * (self + self.transpose());
+    compliance_.block<3, 3>(3 * row, 3 * row) = 0.5 * (1.0 + independence) * (self + self.transpose());
     if (patch.point.tip) {    // the open track behind the tip: never stiffer than a punch on the surface
         const Vector3 surface = patch.weight * patch.weight * kernel_(Vector3::Zero(), Vector3::Zero()).diagonal();
         auto diagonal = compliance_.block<3, 3>(3 * row, 3 * row).diagonal();
@@ -84,7 +88,7 @@ void HalfSpace::fill(int row, int count) {
 Linearisation HalfSpace::linearise(ContactPoints points, double /*shift: no inertia*/) {
     const int count = static_cast<int>(points.size());
     for (int i = 0; i < count; ++i) {
-        if (i < known_ && patches_[i].point == points[i]) continue;
+        if (i < known_ && same_tissue(patches_[i].point, points[i])) continue;
         place(patches_[i], points[i]);
         free_.segment<3>(3 * i) = points[i].material;
         fill(i, std::max(i + 1, std::min(known_, count)));

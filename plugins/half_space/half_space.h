@@ -58,7 +58,6 @@ private:
 
     TissueSetup setup_;
     Kernel kernel_;
-    double radius_;                  // [m] of the needle
     std::vector<double> bottoms_;    // [m] depth of each layer's bottom
     std::vector<Patch> patches_;
     int known_ = 0;           // how many patches, from the first, the compliance is filled for

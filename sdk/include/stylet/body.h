@@ -16,11 +16,10 @@ namespace stylet {
 /// Core keeps the order of contacts from tick to tick and appends new ones, so a body may keep what it worked out for a point.
 struct ContactPoint {
     Vector3 material;    // [m] undeformed position in the tissue; of a shaft contact, where its piece of track begins
-    Vector3 span;        // [m] the piece of track runs from `material` to `material + span`; zero for the tip
+    Vector3 span;        // [m] the covered piece of track runs from `material` to `material + span`; grows with the tip; zero for the tip
     double arclength;    // [m] the needle's material there, from the base
     bool tip;
 
-    friend bool operator==(const ContactPoint&, const ContactPoint&) = default;
 };
 
 using ContactPoints = std::span<const ContactPoint>;
