@@ -12,12 +12,14 @@ STYLET_CONTRACT(Case{.name = "Steel"},
                 Case{.name = "Thin",
                      .needle = {.length = 0.05, .radius = 0.1e-3, .youngs_modulus = 70e9, .ends = Ends::clamped_free}})
 
+const Case plain;
+
 constexpr double youngs_modulus = 200e9;    // [Pa] the needle of the paper
 constexpr double radius = 0.3e-3;           // [m]
 
 double load(double length, Ends ends, double needle_radius = radius) {
     const NeedleSetup needle{.length = length, .radius = needle_radius, .youngs_modulus = youngs_modulus, .ends = ends};
-    const auto model = contract::make<BucklingModel>(STYLET_PLUGIN_FILE, {});
+    const auto model = contract::make<BucklingModel>(STYLET_PLUGIN_FILE, plain);
     return model->critical_load({needle.bending_stiffness(), length, needle_radius, ends});
 }
 

@@ -9,6 +9,8 @@ using contract::Case;
 
 STYLET_CONTRACT(Case{.name = "Steel"}, Case{.name = "HardPush", .load = 8.0, .lateral = 0.5})
 
+const Case plain;
+
 constexpr double rounding = 1e-15;    // [m], [N], [N·m] of values below one
 
 /// A needle pointing to −y, its base 0.2 m from the surface point.
@@ -17,7 +19,7 @@ Pose sideways() {
 }
 
 TEST(Rigid, PointsLieOnTheLineFromTheBase) {
-    const auto needle = contract::make<NeedleModel>(STYLET_PLUGIN_FILE, {});
+    const auto needle = contract::make<NeedleModel>(STYLET_PLUGIN_FILE, plain);
     needle->predict(sideways(), 0.2, 1e-3);
     EXPECT_LE((needle->position(0.05) - Vector3(0.0, 0.15, 0.0)).norm(), rounding);
     EXPECT_LE((needle->position(0.2) - Vector3::Zero()).norm(), rounding);
@@ -25,7 +27,7 @@ TEST(Rigid, PointsLieOnTheLineFromTheBase) {
 }
 
 TEST(Rigid, ForcesMoveNothing) {
-    const auto needle = contract::make<NeedleModel>(STYLET_PLUGIN_FILE, {});
+    const auto needle = contract::make<NeedleModel>(STYLET_PLUGIN_FILE, plain);
     const ContactPoint tip{Vector3::Zero(), Vector3::Zero(), 0.2, true};
     const VectorX force = VectorX::Constant(3, 1.0);
     needle->predict(sideways(), 0.2, 1e-3);
@@ -39,7 +41,7 @@ TEST(Rigid, ForcesMoveNothing) {
 }
 
 TEST(Rigid, TheHandFeelsForceAndLever) {
-    const auto needle = contract::make<NeedleModel>(STYLET_PLUGIN_FILE, {});
+    const auto needle = contract::make<NeedleModel>(STYLET_PLUGIN_FILE, plain);
     const ContactPoint tip{Vector3::Zero(), Vector3::Zero(), 0.2, true};
     const VectorX force = (VectorX(3) << 0.1, 2.0, 0.0).finished();    // +y pushes against the insertion
     needle->predict(sideways(), 0.2, 1e-3);

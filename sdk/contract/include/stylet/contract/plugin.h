@@ -52,7 +52,8 @@ struct Case {
 /// Throws Error where there is no such library, or none with a descriptor.
 [[nodiscard]] const Descriptor& load(const std::string& file);
 
-/// A plugin object of the case. Throws what the plugin's constructor throws.
+/// A plugin object of the case, which outlives it where the plugin keeps what it was given. Throws what the plugin's constructor
+/// throws.
 [[nodiscard]] inline std::unique_ptr<Object> make(const Descriptor& plugin, const Case& with) {
     const Setup setup{with.parameters, with.tissue, with.needle, with.buckling, with.dt};
     return std::unique_ptr<Object>(plugin.create(setup));
