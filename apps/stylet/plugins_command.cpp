@@ -1,5 +1,5 @@
 #include "apps/stylet/command.h"
-#include "apps/stylet/parameter_text.h"
+#include "apps/stylet/plugin_text.h"
 #include "apps/stylet/scene_arguments.h"
 #include "apps/stylet/table.h"
 #include "core/loading/plugin_library.h"
@@ -11,8 +11,6 @@
 
 namespace stylet::app {
 namespace {
-
-using nlohmann::ordered_json;
 
 constexpr const char* examples =
     R"(Without NAME, lists every plugin: its role, its name (the `type:` of a scene) and one line on it. With NAME, shows
@@ -33,24 +31,13 @@ struct PluginArguments {
     bool json = false;
 };
 
-ordered_json described(const core::PluginLibrary& library) {
-    const Descriptor& plugin = library.descriptor();
-    return {
-        {"name", plugin.name},     {"role", core::name_of(plugin.role)}, {"summary", plugin.summary},
-        {"source", plugin.source}, {"file", library.file().string()},    {"parameters", parameters_json(parameters_of(plugin))}};
-}
-
 ExitCode show_one(const PluginArguments& arguments) {
     const core::PluginLibrary library = core::PluginLibrary::open(arguments.name, plugin_folders(arguments.plugin_dirs));
     if (arguments.json) {
-        fmt::print("{}\n", described(library).dump(2));
+        fmt::print("{}", plugin_json(library));
         return ExitCode::ok;
     }
-    const Descriptor& plugin = library.descriptor();
-    fmt::print("{} ({}): {}\n", plugin.name, core::name_of(plugin.role), plugin.summary);
-    fmt::print("source: {}\n", plugin.source);
-    fmt::print("library: {}\n\n", library.file().string());
-    fmt::print("{}", parameters_text(parameters_of(plugin)));
+    fmt::print("{}", plugin_text(library));
     return ExitCode::ok;
 }
 
@@ -73,9 +60,7 @@ std::vector<core::PluginLibrary> open_all(const core::PluginFolders& folders) {
 ExitCode show_all(const PluginArguments& arguments) {
     const std::vector<core::PluginLibrary> libraries = open_all(plugin_folders(arguments.plugin_dirs));
     if (arguments.json) {
-        ordered_json all = ordered_json::array();
-        for (const core::PluginLibrary& library : libraries) all.push_back(described(library));
-        fmt::print("{}\n", all.dump(2));
+        fmt::print("{}", plugins_json(libraries));
         return ExitCode::ok;
     }
     Table table({Table::Align::left, Table::Align::left, Table::Align::left});

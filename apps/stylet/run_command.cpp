@@ -90,7 +90,7 @@ void report(const FinishedRun& run, const RunArguments& arguments, bool first) {
     const bool json_on_stdout = arguments.json == "-";
     if (!arguments.quiet && !json_on_stdout) fmt::print("{}{}", first ? "" : "\n", summary_text(run));
     if (arguments.json.empty()) return;
-    const std::string text = summary_json(run).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    const std::string text = summary_json(run);
     if (json_on_stdout) {
         fmt::print("{}", text);
     } else {

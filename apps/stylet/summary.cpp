@@ -86,59 +86,11 @@ std::string cost_text(const FinishedRun& run) {
     return table.text(2);
 }
 
-/// JSON has no infinity.
-nlohmann::ordered_json number(double value) {
-    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
-}
-
-nlohmann::ordered_json ledger_json(const core::LedgerReport& ledger) {
-    const core::Sample& totals = ledger.totals;
-    return {{"hand_work", number(totals.hand_work)}, {"residual", number(totals.residual)},
-            {"relative", number(ledger.relative)},   {"relative_pushing", number(ledger.relative_pushing)},
-            {"peak_work", number(ledger.peak_work)}, {"stored", number(totals.stored)},
-            {"kinetic", number(totals.kinetic)},     {"fracture", number(totals.fracture)},
-            {"friction", number(totals.friction)},   {"burst", number(totals.burst)},
-            {"released", number(totals.released)},   {"damping", number(totals.damping)},
-            {"numerical", number(totals.numerical)}};
-}
-
 }    // namespace
 
 std::string summary_text(const FinishedRun& run) {
     return fmt::format("{}\n  scene {}\n\n{}\n{}\n{}\n{}", run.report.title, run.scene, events_text(run.report),
                        findings_text(run.report), ledger_text(run.report.ledger), cost_text(run));
-}
-
-nlohmann::ordered_json summary_json(const FinishedRun& run) {
-    using nlohmann::ordered_json;
-    const core::RunReport& report = run.report;
-    ordered_json events = ordered_json::array();
-    for (const core::EventReport& event : report.events) {
-        events.push_back({{"name", event.name},
-                          {"time", number(event.time)},
-                          {"travel", number(event.travel)},
-                          {"depth", number(event.depth)},
-                          {"hand_force", number(event.hand_force)}});
-    }
-    ordered_json buckling = ordered_json::array();
-    for (const core::BucklingReport& one : report.buckling) {
-        buckling.push_back(
-            {{"time", number(one.time)}, {"force", number(one.force)}, {"critical_load", number(one.critical_load)}});
-    }
-    const core::TickReport& tick = report.tick_us;
-    return {{"title", report.title},
-            {"scene", run.scene},
-            {"hash", report.hash},
-            {"recording", run.recording},
-            {"events", events},
-            {"peak_hand_force", number(report.peak_hand_force)},
-            {"largest_deflection", number(report.largest_deflection)},
-            {"buckling", buckling},
-            {"ledger", ledger_json(report.ledger)},
-            {"tick_us", {{"median", number(tick.median)}, {"p99", number(tick.p99)}, {"max", number(tick.max)}}},
-            {"ticks", report.ticks},
-            {"duration", number(report.duration)},
-            {"libraries", report.libraries}};
 }
 
 bool ended_in_fault(const core::RunReport& report) {

@@ -3,8 +3,6 @@
 
 #include "core/run/report.h"
 
-#include <nlohmann/json.hpp>
-
 #include <string>
 
 namespace stylet::app {
@@ -17,8 +15,8 @@ struct FinishedRun {
 
 [[nodiscard]] std::string summary_text(const FinishedRun& run);
 
-/// The layout is a promise to scripts; SI units, times of ticks in µs, a number that is not finite as null.
-[[nodiscard]] nlohmann::ordered_json summary_json(const FinishedRun& run);
+/// JSON whose layout is a promise to scripts; SI units, times of ticks in µs, a number that is not finite as null.
+[[nodiscard]] std::string summary_json(const FinishedRun& run);
 
 /// Whether an event says that the run could not go on as the scene wanted.
 [[nodiscard]] bool ended_in_fault(const core::RunReport& report);

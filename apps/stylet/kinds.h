@@ -1,12 +1,11 @@
-// A plugin's parameters as documentation, from the declarations that also read and check them.
+// What the kinds of parameters are called.
 #pragma once
 
 #include <stylet/plugin.h>
 
-#include <nlohmann/json.hpp>
-
 #include <span>
 #include <string>
+#include <vector>
 
 namespace stylet::app {
 
@@ -19,9 +18,8 @@ using ParameterList = std::span<const Parameter>;
     return {parameter.fields, parameter.field_count};
 }
 
-/// A line for each parameter, its meaning below it; the fields of records further in.
-[[nodiscard]] std::string parameters_text(ParameterList parameters);
-
-[[nodiscard]] nlohmann::ordered_json parameters_json(ParameterList parameters);
+[[nodiscard]] const char* name_of(Kind kind);
+[[nodiscard]] bool is_numeric(Kind kind);
+[[nodiscard]] std::vector<std::string> words_of(const char* text);
 
 }    // namespace stylet::app

@@ -1,47 +1,16 @@
-#include "apps/stylet/parameter_text.h"
+#include "apps/stylet/plugin_text.h"
 
+#include "apps/stylet/kinds.h"
 #include "apps/stylet/table.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <iterator>
 #include <sstream>
 #include <vector>
 
 namespace stylet::app {
 namespace {
-
-using nlohmann::ordered_json;
-
-const char* name_of(Kind kind) {
-    switch (kind) {
-        case Kind::number:
-            return "number";
-        case Kind::integer:
-            return "whole number";
-        case Kind::text:
-            return "text";
-        case Kind::choice:
-            return "choice";
-        case Kind::file:
-            return "file";
-        case Kind::vector3:
-            return "[x, y, z]";
-        case Kind::records:
-            return "list of maps";
-    }
-    return "";
-}
-
-bool is_numeric(Kind kind) {
-    return kind == Kind::number || kind == Kind::integer;
-}
-
-std::vector<std::string> words_of(const char* text) {
-    std::istringstream stream(text);
-    return {std::istream_iterator<std::string>(stream), {}};
-}
 
 std::string kind_text(const Parameter& parameter) {
     const std::string unit = parameter.unit;
@@ -82,29 +51,6 @@ void add_meanings(ParameterList parameters, std::size_t indent, std::vector<std:
     }
 }
 
-ordered_json bound(double value) {
-    return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
-}
-
-ordered_json parameter_json(const Parameter& parameter) {
-    ordered_json json{{"name", parameter.name},
-                      {"kind", name_of(parameter.kind)},
-                      {"unit", parameter.unit},
-                      {"required", parameter.need == Need::required},
-                      {"meaning", parameter.meaning}};
-    if (is_numeric(parameter.kind)) {
-        json["range"] = {{"least", bound(parameter.range.least)},
-                         {"open_below", parameter.range.open_below},
-                         {"greatest", bound(parameter.range.greatest)},
-                         {"open_above", parameter.range.open_above}};
-    }
-    if (parameter.kind == Kind::choice) json["choices"] = words_of(parameter.choices);
-    if (parameter.kind == Kind::records) json["fields"] = parameters_json(fields_of(parameter));
-    return json;
-}
-
-}    // namespace
-
 std::string parameters_text(ParameterList parameters) {
     if (parameters.empty()) return "  no parameters of its own\n";
     using Align = Table::Align;
@@ -123,10 +69,12 @@ std::string parameters_text(ParameterList parameters) {
     return text;
 }
 
-ordered_json parameters_json(ParameterList parameters) {
-    ordered_json all = ordered_json::array();
-    for (const Parameter& parameter : parameters) all.push_back(parameter_json(parameter));
-    return all;
+}    // namespace
+
+std::string plugin_text(const core::PluginLibrary& library) {
+    const Descriptor& plugin = library.descriptor();
+    return fmt::format("{} ({}): {}\nsource: {}\nlibrary: {}\n\n{}", plugin.name, core::name_of(plugin.role), plugin.summary,
+                       plugin.source, library.file().string(), parameters_text(parameters_of(plugin)));
 }
 
 }    // namespace stylet::app

@@ -1,0 +1,62 @@
+#include "apps/stylet/summary.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace stylet::app {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// JSON has no infinity.
+ordered_json number(double value) {
+    return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+ordered_json ledger_json(const core::LedgerReport& ledger) {
+    const core::Sample& totals = ledger.totals;
+    return {{"hand_work", number(totals.hand_work)}, {"residual", number(totals.residual)},
+            {"relative", number(ledger.relative)},   {"relative_pushing", number(ledger.relative_pushing)},
+            {"peak_work", number(ledger.peak_work)}, {"stored", number(totals.stored)},
+            {"kinetic", number(totals.kinetic)},     {"fracture", number(totals.fracture)},
+            {"friction", number(totals.friction)},   {"burst", number(totals.burst)},
+            {"released", number(totals.released)},   {"damping", number(totals.damping)},
+            {"numerical", number(totals.numerical)}};
+}
+
+}    // namespace
+
+std::string summary_json(const FinishedRun& run) {
+    const core::RunReport& report = run.report;
+    ordered_json events = ordered_json::array();
+    for (const core::EventReport& event : report.events) {
+        events.push_back({{"name", event.name},
+                          {"time", number(event.time)},
+                          {"travel", number(event.travel)},
+                          {"depth", number(event.depth)},
+                          {"hand_force", number(event.hand_force)}});
+    }
+    ordered_json buckling = ordered_json::array();
+    for (const core::BucklingReport& one : report.buckling) {
+        buckling.push_back(
+            {{"time", number(one.time)}, {"force", number(one.force)}, {"critical_load", number(one.critical_load)}});
+    }
+    const core::TickReport& tick = report.tick_us;
+    const ordered_json json{{"title", report.title},
+                            {"scene", run.scene},
+                            {"hash", report.hash},
+                            {"recording", run.recording},
+                            {"events", events},
+                            {"peak_hand_force", number(report.peak_hand_force)},
+                            {"largest_deflection", number(report.largest_deflection)},
+                            {"buckling", buckling},
+                            {"ledger", ledger_json(report.ledger)},
+                            {"tick_us", {{"median", number(tick.median)}, {"p99", number(tick.p99)}, {"max", number(tick.max)}}},
+                            {"ticks", report.ticks},
+                            {"duration", number(report.duration)},
+                            {"libraries", report.libraries}};
+    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+}    // namespace stylet::app
