@@ -1,5 +1,5 @@
 # stylet_add_plugin(NAME): the whole of a plugin's CMakeLists.txt. Builds NAME.cpp (and any further SOURCES) into NAME.so in the plugin
-# folder; where tests are built and NAME_test.cpp exists, builds that too, with the plugin's class, the contract tests and GoogleTest.
+# folder; where tests are built and NAME_test.cpp exists, builds that too, with the SOURCES, the contract tests and GoogleTest.
 function(stylet_add_plugin name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
   add_library(${name} MODULE ${name}.cpp ${arg_SOURCES})
@@ -14,7 +14,7 @@ function(stylet_add_plugin name)
   endif()
   install(TARGETS ${name} LIBRARY DESTINATION lib/stylet/plugins)
   if(STYLET_TESTS AND EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${name}_test.cpp)
-    add_executable(${name}_test ${name}_test.cpp)
+    add_executable(${name}_test ${name}_test.cpp ${arg_SOURCES})
     target_link_libraries(${name}_test PRIVATE Stylet::contract ${arg_LIBRARIES})
     add_dependencies(${name}_test ${name})
     target_compile_definitions(${name}_test PRIVATE STYLET_PLUGIN_FILE="$<TARGET_FILE:${name}>")

@@ -31,6 +31,7 @@ public:
         const double d = std::abs(z - c) + blur_, s = z + c + blur_;    // Z1', Z2'
         const double dx = x.x() - source.x(), dy = x.y() - source.y();
         const double rr = dx * dx + dy * dy;
+        if (rr == 0.0) return on_one_vertical(z, c, d, s);
         const double R1 = std::sqrt(rr + d * d), R2 = std::sqrt(rr + s * s);
         const double i1 = 1.0 / R1, i2 = 1.0 / R2;
         const double i1_3 = i1 * i1 * i1, i2_3 = i2 * i2 * i2, i2_5 = i2_3 * i2 * i2;
@@ -55,6 +56,17 @@ public:
     }
 
 private:
+    /// The same where R1' = d and R2' = s: no root to draw, and nothing couples horizontal with vertical. Most tracks are
+    /// vertical.
+    [[nodiscard]] Matrix3 on_one_vertical(double z, double c, double d, double s) const {
+        const double k = 3.0 - 4.0 * nu_, m = 4.0 * (1.0 - nu_) * (1.0 - 2.0 * nu_), cz = c * z;
+        const double i1 = 1.0 / d, i2 = 1.0 / s, i2_2 = i2 * i2, i2_3 = i2_2 * i2;
+        const double vertical = k * i1 + (d - blur_) * i1 * i1 + (8.0 * (1.0 - nu_) * (1.0 - nu_) - k) * i2 +
+                                k * (s - blur_) * i2_2 + 4.0 * cz * i2_3;
+        const double across = k * i1 + 0.5 * blur_ * i1 * i1 + i2 + 0.5 * k * blur_ * i2_2 + 2.0 * cz * i2_3 + 0.5 * m * i2;
+        return scale_ * Vector3(across, across, vertical).asDiagonal().toDenseMatrix();
+    }
+
     static double depth(const Vector3& x) { return std::max(0.0, -x.z()); }
 
     double nu_;
