@@ -39,29 +39,36 @@ CouplingReport Coupling::solve(NeedleModel& needle, TissueModel& tissue, Contact
     number_rows(contacts);
     for (Eigen::Index i = 0; i < count; ++i) own_.segment<3>(3 * i) = contacts.rows[i].own_force;
     if (entry >= 0) own_.segment<3>(3 * entry) += needle.entry_force() * contacts.rows[entry].frame.col(axial);
-    double shift = 0.0;
-    for (int shifts = 0; report.linearisations < most_linearisations && shifts <= most_shifts;) {
-        const Views bodies{needle.linearise(contacts.points, shift), tissue.linearise(contacts.points, shift)};
-        if (report.linearisations++ == 0) report.relocation = carry_over(bodies.tissue, contacts);
-        assemble(bodies, contacts);
-        const BoxProblem::Outcome box = solve_box(contacts, most_advance);
-        if (!box.solved || box.negatives != bodies.needle.negatives + bodies.tissue.negatives) {
-            if (!(dt > 0.0)) return report;    // no time, no inertia to lean on
-            shift = shift == 0.0 ? 1.0 / (dt * dt) : shift * shift_growth;
-            ++shifts;
-            --report.linearisations;
-            continue;
-        }
-        hand_out(contacts);
-        trial_energy_ = contact_energy(bodies.tissue);
+    shift_ = 0.0;
+    while (!report.converged && report.linearisations < most_linearisations) {
+        if (!solve_linearised(needle, tissue, contacts, most_advance, dt, report)) break;
         const StepReport needle_step = needle.try_step(contacts.points, on_needle);
         const StepReport tissue_step = tissue.try_step(contacts.points, on_tissue);
         report.residual = std::max(needle_step.residual, tissue_step.residual);
         report.converged = report.residual <= tolerance && !needle_step.tangent_changed && !tissue_step.tangent_changed;
-        if (report.converged) break;
     }
     report.tip_held_back = tip_held_back_;
     return report;
+}
+
+// Linearises both bodies and solves their rows, with as much shift as it takes to be on a stable branch.
+bool Coupling::solve_linearised(NeedleModel& needle, TissueModel& tissue, ContactSet& contacts, double most_advance, double dt,
+                                CouplingReport& report) {
+    for (int shifts = 0; shifts <= most_shifts; ++shifts) {
+        const Views bodies{needle.linearise(contacts.points, shift_), tissue.linearise(contacts.points, shift_)};
+        if (report.linearisations == 0 && shifts == 0) report.relocation = carry_over(bodies.tissue, contacts);
+        assemble(bodies, contacts);
+        const BoxProblem::Outcome box = solve_box(contacts, most_advance);
+        if (box.solved && box.negatives == bodies.needle.negatives + bodies.tissue.negatives) {
+            ++report.linearisations;
+            hand_out(contacts);
+            trial_energy_ = contact_energy(bodies.tissue);
+            return true;
+        }
+        if (!(dt > 0.0)) return false;    // no time has passed: no inertia to lean on
+        shift_ = shift_ == 0.0 ? 1.0 / (dt * dt) : shift_ * shift_growth;
+    }
+    return false;
 }
 
 // Lateral rows first: they are eliminated before the boxes are looked at.
@@ -117,7 +124,7 @@ void Coupling::add_own_forces(const Views& bodies, const ContactSet& contacts) {
 }
 
 // Solves the box problem; a tip that runs further than it may in one solve is solved again with its way given and its force free.
-BoxProblem::Outcome Coupling::solve_box(ContactSet& contacts, double most_advance) {
+BoxProblem::Outcome Coupling::solve_box(const ContactSet& contacts, double most_advance) {
     auto work = work_.topLeftCorner(rows_, rows_);
     auto right = right_.head(rows_);
     auto lambda = lambda_.head(rows_);

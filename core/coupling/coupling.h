@@ -24,9 +24,8 @@ struct CouplingReport {
 /// Lateral rows are bilateral (v = 0), axial rows stick inside their box and slip at its sides (BoxProblem). Both bodies are
 /// linearised about their trial state, solved, stepped, and linearised again until no force is out of balance by more than
 /// `tolerance`. The branch is checked by inertia: the bilateral block must have as many negative pivots as the bodies report
-/// (Haynsworth 1968); while it has not, the bodies are linearised with a growing shift τ M. A body's own force (the mouth of the
-/// track pushing on a bowed needle) is evaluated anew with each linearisation. Changes the bodies' trial state only; allocates
-/// nothing.
+/// (Haynsworth 1968); while it has not, the bodies are linearised with a growing shift τ M. The needle's entry force is that of the
+/// step's start: it changes by the bow, which a step changes little. Changes the bodies' trial state only; allocates nothing.
 class Coupling {
 public:
     static constexpr double tolerance = 1e-9;         // [N]
@@ -46,10 +45,12 @@ private:
     struct Views {
         Linearisation needle, tissue;
     };
+    bool solve_linearised(NeedleModel& needle, TissueModel& tissue, ContactSet& contacts, double most_advance, double dt,
+                          CouplingReport& report);
     void number_rows(const ContactSet& contacts);
     void assemble(const Views& bodies, const ContactSet& contacts);
     void add_own_forces(const Views& bodies, const ContactSet& contacts);
-    BoxProblem::Outcome solve_box(ContactSet& contacts, double most_advance);
+    BoxProblem::Outcome solve_box(const ContactSet& contacts, double most_advance);
     void hand_out(ContactSet& contacts);
     double carry_over(const Linearisation& tissue, ContactSet& contacts);
     double contact_energy(const Linearisation& tissue);
@@ -65,6 +66,7 @@ private:
     VectorX forces_, opposite_;         // 3n on the needle and on the tissue, world, [N]
     VectorX own_;                       // 3n on the needle whatever the motion, world, [N]
     VectorX scratch_;                   // 3n, [m]
+    double shift_ = 0.0;                // [1/s²] τ of this solve
     bool tip_held_back_ = false;
     double trial_energy_ = 0.0;        // [J] ½ fᵀWf of the tissue at the end of the last solve
     double committed_energy_ = 0.0;    // [J] and at the last commit

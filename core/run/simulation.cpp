@@ -40,7 +40,7 @@ Simulation::Simulation(const Scene& scene, const Cast& cast)
 }
 
 void Simulation::tick() {
-    events_.clear();
+    if (ticks_ > 0) events_.clear();    // what the very first contact at rest brought belongs to the first tick
     time_ = static_cast<double>(++ticks_) * dt_;
     const Pose target = device_.pose(time_);
     const Pose before = base_;
@@ -192,7 +192,9 @@ void Simulation::take_sample(const Pose& before, const Balance& books_before) {
 void Simulation::write_to_device() {
     const Wrench held = needle_.base_wrench();
     const Wrench felt = lost_ ? Wrench{} : Wrench{.force = -held.force, .moment = -held.moment};
+    const bool faulted_before = limiter_.faulted();
     const Wrench out = limiter_.limit(felt, dt_);
+    if (limiter_.faulted() && !faulted_before) raise("fault: the simulation's force is not finite");
     device_.write(out);
     sample_.device_force = -out.force.dot(base_.axis());
 }

@@ -138,5 +138,5 @@ const char* HalfSpace::beyond_validity() const {
 }    // namespace stylet::half_space
 
 STYLET_PLUGIN_WITHOUT_PARAMETERS(stylet::half_space::HalfSpace, "half_space",
-                                 "An elastic half-space: no mesh, a fraction of a microsecond per pair of contacts",
+                                 "The cheapest honest tissue: an elastic half-space, no mesh",
                                  "Mindlin 1936, blurred to the needle's radius; Selvadurai 1976")
