@@ -6,9 +6,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace stylet::app {
 namespace {
+
+using Line = std::pair<Point, Point>;
 
 constexpr double trace_step = 2.0;    // pixels
 
@@ -42,6 +45,26 @@ std::vector<Point> stepped(const Point& from, const Point& to) {
     return points;
 }
 
+bool touches(const Line& line, const Box& box) {
+    const std::vector<Point> points = stepped(line.first, line.second);
+    return std::any_of(points.begin(), points.end(), [&box](const Point& point) { return box.holds(point); });
+}
+
+bool cross(const Line& one, const Line& other) {
+    const auto side = [](const Line& line, const Point& point) {
+        return (line.second.x - line.first.x) * (point.y - line.first.y) -
+                   (line.second.y - line.first.y) * (point.x - line.first.x) >
+               0.0;
+    };
+    return side(one, other.first) != side(one, other.second) && side(other, one.first) != side(other, one.second);
+}
+
+std::size_t pixel_index(const Point& point) {
+    const auto column = static_cast<std::size_t>(std::clamp(point.x, 0.0, Page::width - 1.0));
+    const auto row = static_cast<std::size_t>(std::clamp(point.y, 0.0, Page::height - 1.0));
+    return row * static_cast<std::size_t>(Page::width) + column;
+}
+
 }    // namespace
 
 Page::Page(const Figure& figure) : figure_(figure), plot_{78.0, figure.title.empty() ? 16.0 : 46.0, width - 18.0, height - 62.0} {
@@ -63,6 +86,12 @@ void Page::trace_curves() {
             traces_.insert(traces_.end(), piece.begin(), piece.end());
         }
         for (const Mark& mark : curve.marks) markers_.push_back(pixel(mark.at));
+    }
+    inked_.assign(static_cast<std::size_t>(width * height), false);
+    for (const Point& point : traces_) {
+        for (const double x : {-1.0, 0.0, 1.0}) {
+            for (const double y : {-1.0, 0.0, 1.0}) inked_[pixel_index({point.x + x, point.y + y})] = true;
+        }
     }
 }
 
@@ -91,36 +120,77 @@ void Page::place_key() {
     }
 }
 
-void Page::place_labels() {
+double Page::crossings(const Line& leader) const {
+    constexpr double beside_marker = 6.0;    // pixels in which a leader may touch the curve that it belongs to
+    double crossed = 0.0;
+    for (const Point& point : stepped(leader.first, leader.second)) {
+        const bool away = std::hypot(point.x - leader.first.x, point.y - leader.first.y) > beside_marker;
+        if (away && inked_[pixel_index(point)]) crossed += 1.0;
+    }
+    return crossed;
+}
+
+double Page::crowding(const PlacedLabel& label, const PlacedLabel& itself) const {
+    double cost = 0.0;
+    for (const PlacedLabel& other : labels_) {
+        if (&other == &itself) continue;
+        if (label.box.meets(grown(other.box, 2.0))) cost += 1000.0;
+        if (label.leader && touches(*label.leader, other.box)) cost += 300.0;
+        if (other.leader && touches(*other.leader, label.box)) cost += 300.0;
+        if (label.leader && other.leader && cross(*label.leader, *other.leader)) cost += 150.0;
+    }
+    return cost;
+}
+
+double Page::find_place(PlacedLabel& label) const {
     constexpr double far_apart = 14.0;    // pixels from which a leader shows where a label belongs
+    const double label_width = text_width(label.text, label_font) + 4.0, label_height = 1.25 * label_font;
+    double best = std::numeric_limits<double>::infinity();
+    PlacedLabel tried = label;
+    for (const double distance : {7.0, 12.0, 20.0, 30.0, 44.0, 60.0, 80.0, 110.0}) {
+        for (int direction = 0; direction < 16; ++direction) {
+            const double angle = std::numbers::pi * direction / 8.0;
+            tried.box = box_beside(label.anchor, angle, distance, label_width, label_height);
+            if (!tried.box.lies_in(grown(plot_, -3.0)) || (key_ && tried.box.meets(*key_))) continue;
+            tried.leader.reset();
+            if (distance > far_apart) tried.leader = std::pair{label.anchor, nearest(tried.box, label.anchor)};
+            double cost = 8.0 * cover(tried.box) + distance + 2.0 * std::abs(std::sin(angle / 2.0)) + crowding(tried, label);
+            if (tried.leader) cost += 10.0 * crossings(*tried.leader);
+            if (cost >= best) continue;
+            best = cost;
+            label.box = tried.box;
+            label.leader = tried.leader;
+        }
+    }
+    return best;
+}
+
+double Page::settle_labels() {
+    constexpr int sweeps = 3;    // a label may make room for one that is placed after it
+    double cost = 0.0;
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        cost = 0.0;
+        for (PlacedLabel& label : labels_) cost += find_place(label);
+    }
+    return cost;
+}
+
+void Page::place_labels() {
     for (std::size_t c = 0; c < figure_.curves.size(); ++c) {
         for (const Mark& mark : figure_.curves[c].marks) {
             if (mark.text.empty()) continue;
             const Point anchor = pixel(mark.at);
-            const double label_width = text_width(mark.text, label_font) + 4.0, label_height = 1.25 * label_font;
-            double best = std::numeric_limits<double>::infinity();
-            PlacedLabel label{mark.text, c, {}, {}};
-            if (mark.shared) label.curve.reset();
-            for (const double distance : {7.0, 12.0, 20.0, 30.0, 44.0, 60.0, 80.0, 110.0}) {
-                for (int direction = 0; direction < 16; ++direction) {
-                    const double angle = std::numbers::pi * direction / 8.0;
-                    const Box box = box_beside(anchor, angle, distance, label_width, label_height);
-                    if (!box.lies_in(grown(plot_, -3.0)) || (key_ && box.meets(*key_))) continue;
-                    double cost = 3.0 * cover(box) + distance + 2.0 * std::abs(std::sin(angle / 2.0));
-                    for (const PlacedLabel& other : labels_) {
-                        if (box.meets(grown(other.box, 2.0))) cost += 1000.0;
-                        if (other.leader && (box.holds(other.leader->first) || box.holds(other.leader->second))) cost += 200.0;
-                    }
-                    if (cost >= best) continue;
-                    best = cost;
-                    label.box = box;
-                    label.leader.reset();
-                    if (distance > far_apart) label.leader = std::pair{anchor, nearest(box, anchor)};
-                }
-            }
-            if (std::isfinite(best)) labels_.push_back(label);
+            labels_.push_back(
+                {mark.text, mark.shared ? std::nullopt : std::optional(c), anchor, {anchor.x, anchor.y, anchor.x, anchor.y}, {}});
         }
     }
+    // Whoever comes first takes the best place, so both orders are tried.
+    const std::vector<PlacedLabel> unplaced = labels_;
+    const double forward = settle_labels();
+    std::vector<PlacedLabel> placed = std::exchange(labels_, {unplaced.rbegin(), unplaced.rend()});
+    if (forward <= settle_labels()) labels_ = std::move(placed);
+    std::erase_if(labels_,
+                  [](const PlacedLabel& label) { return label.box.left == label.box.right; });    // wider than the picture
 }
 
 }    // namespace stylet::app

@@ -27,6 +27,7 @@ struct Box {
 struct PlacedLabel {
     std::string text;
     std::optional<std::size_t> curve;    // none: several curves share it
+    Point anchor;                        // its marker
     Box box;
     std::optional<std::pair<Point, Point>> leader;
 };
@@ -52,11 +53,16 @@ private:
     void trace_curves();
     void place_key();
     void place_labels();
+    double settle_labels();                         // returns what the places cost
+    double find_place(PlacedLabel& label) const;    // the best there is beside the other labels as they lie; returns its cost
+    [[nodiscard]] double crossings(const std::pair<Point, Point>& leader) const;    // steps of it that lie on a curve
+    [[nodiscard]] double crowding(const PlacedLabel& label, const PlacedLabel& itself) const;
     [[nodiscard]] double cover(const Box& box) const;    // length of curve under it, in pixels
 
     const Figure& figure_;
     Box plot_;
     std::vector<Point> traces_;    // points along all curves, one a few pixels from the next
+    std::vector<bool> inked_;      // pixels, row by row, that a curve covers
     std::vector<Point> markers_;
     std::optional<Box> key_;
     std::vector<PlacedLabel> labels_;
