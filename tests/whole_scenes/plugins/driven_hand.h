@@ -1,0 +1,30 @@
+// A hand that a test moves: the test finds it in the cast and gives it a motion before the first tick.
+#pragma once
+
+#include <stylet/haptic_device.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace stylet::whole_scenes {
+
+class DrivenHand final : public HapticDevice {
+public:
+    static constexpr DeviceLimits device_limits{.force = 5.0, .moment = 0.5, .force_rate = 1e4, .soft_start = 0.01};
+
+    explicit DrivenHand(const Setup&) {}
+
+    DeviceLimits limits() const override { return device_limits; }
+    Pose pose(double time) override { return motion ? motion(time) : Pose{.position = {0.0, 0.0, 1.0}}; }
+    void write(const Wrench& wrench) override {
+        last = wrench;
+        greatest_force = std::max(greatest_force, wrench.force.norm());
+    }
+    double duration() const override { return 1.0; }
+
+    std::function<Pose(double time)> motion;
+    Wrench last;
+    double greatest_force = 0.0;    // [N]
+};
+
+}    // namespace stylet::whole_scenes
