@@ -11,8 +11,8 @@ constexpr int most_halvings = 6;
 // A rupture runs on at rest of the hand in pieces of at most one contact spacing, so that friction acts during the jump. A piece
 // whose books don't close to this part of the peak work (a bowed needle that snaps straight within it) is taken again at a
 // quarter.
-constexpr double run_on_imbalance = 1e-5;
-constexpr double smallest_piece = 1.0 / 256.0;    // of the spacing
+constexpr double run_on_imbalance = 3e-6;
+constexpr double smallest_piece = 1.0 / 1024.0;    // of the spacing
 constexpr int most_pieces = 20000;
 constexpr double quiet = 1e-6;    // of the spacing: a tip that ran on by less has stopped
 
