@@ -8,9 +8,12 @@ namespace stylet::core {
 namespace {
 
 constexpr int tip = 0;
-constexpr int axial = 2;           // the frame's third column
-constexpr int most_shifts = 16;    // 4¹⁶/dt²: far stiffer than any needle
-constexpr double shift_growth = 4.0;
+constexpr int axial = 2;    // the frame's third column
+// From a quarter of the inertia's own 1/dt², by factors of two: the closer a shift is to the least that it takes, the further the
+// step leaves an unstable branch.
+constexpr double first_shift = 0.25;
+constexpr double shift_growth = 2.0;
+constexpr int most_shifts = 32;    // 2³²/(4 dt²): far stiffer than any needle
 
 constexpr int most_rows = 3 * max_contacts;
 
@@ -39,13 +42,14 @@ CouplingReport Coupling::solve(NeedleModel& needle, TissueModel& tissue, Contact
     number_rows(contacts);
     for (Eigen::Index i = 0; i < count; ++i) own_.segment<3>(3 * i) = contacts.rows[i].own_force;
     if (entry >= 0) own_.segment<3>(3 * entry) += needle.entry_force() * contacts.rows[entry].frame.col(axial);
-    shift_ = 0.0;
     while (!report.converged && report.linearisations < most_linearisations) {
         if (!solve_linearised(needle, tissue, contacts, most_advance, dt, report)) break;
         const StepReport needle_step = needle.try_step(contacts.points, on_needle);
         const StepReport tissue_step = tissue.try_step(contacts.points, on_tissue);
         report.residual = std::max(needle_step.residual, tissue_step.residual);
-        report.converged = report.residual <= tolerance && !needle_step.tangent_changed && !tissue_step.tangent_changed;
+        // A shift was needed: the state before the step was unstable, and nothing says that the one after it is not.
+        report.converged =
+            report.residual <= tolerance && shift_ == 0.0 && !needle_step.tangent_changed && !tissue_step.tangent_changed;
     }
     report.tip_held_back = tip_held_back_;
     return report;
@@ -54,6 +58,7 @@ CouplingReport Coupling::solve(NeedleModel& needle, TissueModel& tissue, Contact
 // Linearises both bodies and solves their rows, with as much shift as it takes to be on a stable branch.
 bool Coupling::solve_linearised(NeedleModel& needle, TissueModel& tissue, ContactSet& contacts, double most_advance, double dt,
                                 CouplingReport& report) {
+    shift_ = 0.0;    // anew each time: once on a stable branch, Newton's full step converges in a few
     for (int shifts = 0; shifts <= most_shifts; ++shifts) {
         const Views bodies{needle.linearise(contacts.points, shift_), tissue.linearise(contacts.points, shift_)};
         if (report.linearisations == 0 && shifts == 0) report.relocation = carry_over(bodies.tissue, contacts);
@@ -66,7 +71,7 @@ bool Coupling::solve_linearised(NeedleModel& needle, TissueModel& tissue, Contac
             return true;
         }
         if (!(dt > 0.0)) return false;    // no time has passed: no inertia to lean on
-        shift_ = shift_ == 0.0 ? 1.0 / (dt * dt) : shift_ * shift_growth;
+        shift_ = shift_ == 0.0 ? first_shift / (dt * dt) : shift_ * shift_growth;
     }
     return false;
 }
