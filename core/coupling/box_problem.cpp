@@ -125,7 +125,9 @@ BoxProblem::Outcome BoxProblem::solve(Eigen::Ref<MatrixX> a, Eigen::Ref<VectorX>
     bilateral_.reduce(a, b);
     outcome.solved = find_set(a.bottomRightCorner(boxed, boxed), b.tail(boxed), lower.tail(boxed), upper.tail(boxed),
                               lambda.tail(boxed), outcome.sets);
-    if (outcome.solved) bilateral_.substitute(a, b, lambda);
+    if (!outcome.solved) return outcome;
+    bilateral_.substitute(a, b, lambda);
+    outcome.solved = lambda.allFinite() && v_.head(boxed).allFinite();    // NaN compares as if every row were in its place
     return outcome;
 }
 
