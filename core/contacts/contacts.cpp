@@ -112,8 +112,10 @@ ContactRow Contacts::tip_row(TipState tip, const ContactPoint& point, const Need
 
 void Contacts::add_shaft(int i, const NeedleModel& needle, const TissueModel& tissue, Effects effects, ContactSet& set) const {
     const ShaftContact& shaft = shaft_[i];
-    const ContactPoint point{
-        .material = track_.node(i), .span = track_.covered_span(i, way_), .arclength = std::max(0.0, shaft.arclength), .tip = false};
+    const ContactPoint point{.material = track_.node(i),
+                             .span = track_.covered_span(i, way_),
+                             .arclength = std::max(0.0, shaft.arclength),
+                             .tip = false};
     const Vector3 axis = needle.tangent(point.arclength);
     const bool past_base = shaft.arclength < 0.0;
     const Contact contact{.tip = false,
@@ -163,7 +165,7 @@ ContactChange Contacts::absorb(const NeedleModel& needle, const TissueModel& tis
     }
     if (tip_ == TipState::inside) {
         ContactChange change = absorb_inside(needle, tissue, set);
-        if (arrived) change.event = "back in its track";
+        if (arrived) change.event = tip_ == TipState::inside ? "back in its track" : nullptr;
         return change;
     }
     if (row.axial_force >= row.upper && row.advance > 0.0) {

@@ -36,6 +36,21 @@ EnergyReport both(const NeedleModel& needle, const TissueModel& tissue) {
 
 }    // namespace
 
+void Ledger::open(const NeedleModel& needle, const TissueModel& tissue) {
+    opening_ = both(needle, tissue);
+    balance_ = {};
+    peak_work_ = 0.0;
+    peak_residual_ = 0.0;
+}
+
+EnergyReport Ledger::since_opening(const NeedleModel& needle, const TissueModel& tissue) const {
+    const EnergyReport now = both(needle, tissue);
+    return {.stored = now.stored - opening_.stored,
+            .kinetic = now.kinetic - opening_.kinetic,
+            .damping = now.damping - opening_.damping,
+            .numerical = now.numerical - opening_.numerical};
+}
+
 void Ledger::close(const HandStep& hand, const ContactSet& contacts, double relocation, double fracture,
                    const NeedleModel& needle, const TissueModel& tissue) {
     balance_.hand_work += hand_work(hand);
@@ -46,7 +61,7 @@ void Ledger::close(const HandStep& hand, const ContactSet& contacts, double relo
     balance_.burst -= fracture;
     balance_.fracture += fracture;
     balance_.released += released(contacts, relocation);
-    const EnergyReport now = both(needle, tissue);
+    const EnergyReport now = since_opening(needle, tissue);
     balance_.stored = now.stored;
     balance_.kinetic = now.kinetic;
     balance_.damping = now.damping;
@@ -57,7 +72,7 @@ void Ledger::close(const HandStep& hand, const ContactSet& contacts, double relo
 
 double Ledger::imbalance_at_rest(const ContactSet& contacts, double relocation, const NeedleModel& needle,
                                  const TissueModel& tissue) const {
-    const EnergyReport now = both(needle, tissue);
+    const EnergyReport now = since_opening(needle, tissue);
     double change = now.stored + now.kinetic + now.damping + now.numerical -
                     (balance_.stored + balance_.kinetic + balance_.damping + balance_.numerical);
     for (const ContactRow& row : contacts.rows) change += slip_work(row);

@@ -39,6 +39,9 @@ struct HandStep {
 /// fracture is burst. `released` is what moving a contact's point through the tissue frees: −ΔE − Σ ½(fₙ + fₙ₊₁)·(carried over).
 class Ledger {
 public:
+    /// Opens the books: whatever the bodies store now (a tip that begins in the tissue) is where the balance starts from.
+    void open(const NeedleModel& needle, const TissueModel& tissue);
+
     /// Takes a committed step. `relocation` is the coupling's; `fracture` [J] the effects'.
     void close(const HandStep& hand, const ContactSet& contacts, double relocation, double fracture, const NeedleModel& needle,
                const TissueModel& tissue);
@@ -52,6 +55,9 @@ public:
     [[nodiscard]] double peak_residual() const { return peak_residual_; }    // [J] largest |residual| so far
 
 private:
+    [[nodiscard]] EnergyReport since_opening(const NeedleModel& needle, const TissueModel& tissue) const;
+
+    EnergyReport opening_;    // [J] of both bodies when the books were opened
     Balance balance_;
     double peak_work_ = 0.0;
     double peak_residual_ = 0.0;

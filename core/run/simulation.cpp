@@ -34,6 +34,7 @@ Simulation::Simulation(const Scene& scene, const Cast& cast)
       limiter_(cast.device().limits(), scene.force_limit) {
     base_ = device_.pose(0.0);
     if (base_.finite()) step(base_, dt_, spacing_);
+    ledger_.open(needle_, tissue_);
     sample_.depth = tissue_.locate(needle_.position(setup_.length)).depth;
     sample_.free_length = contacts_.free_length();
     sample_.critical_load = needle_.state().critical_load;
