@@ -22,12 +22,15 @@ TEST_P(PaperScene, ClosesItsBooks) {
 
 TEST_P(PaperScene, NeverTakesWorkBackFromFrictionCuttingOrRupture) {
     constexpr double rounding = 1e-12;    // of the peak work
+    // A tick in which the tip first sticks and then cuts is booked by the trapezoid rule, which gives half of what the tip's
+    // force still lacked times the tick's way: ½ · 20 N/m · (10 µm)².
+    constexpr double trapezoid = 1e-9;    // [J]
     const Trace trace = play(paper_scene(GetParam()));
     for (std::size_t tick = 1; tick < trace.samples.size(); ++tick) {
         const core::Sample &now = trace.samples[tick], &before = trace.samples[tick - 1];
         ASSERT_GE(now.friction, before.friction - rounding * trace.peak_work) << "at " << now.time << " s";
         ASSERT_GE(now.fracture, before.fracture) << "at " << now.time << " s";
-        ASSERT_GE(now.burst, before.burst - rounding * trace.peak_work) << "at " << now.time << " s";
+        ASSERT_GE(now.burst, before.burst - trapezoid) << "at " << now.time << " s";
     }
 }
 

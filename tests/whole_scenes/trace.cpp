@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <span>
 
 namespace stylet::whole_scenes {
 
@@ -115,10 +116,12 @@ void measured(const std::string& name, double value, const std::string& unit) {
 }
 
 void print_events(const Trace& trace) {
-    for (const Happening& event : trace.events) {
+    constexpr std::size_t enough = 12;
+    for (const Happening& event : std::span(trace.events).first(std::min(enough, trace.events.size()))) {
         std::printf("  %8.4f s  travel %8.4f mm  depth %8.4f mm  hand %8.5f N  critical %8.5f N  %s\n", event.time,
                     1e3 * event.travel, 1e3 * event.depth, event.hand_force, event.critical_load, event.name.c_str());
     }
+    if (trace.events.size() > enough) std::printf("  and %zu events more\n", trace.events.size() - enough);
     std::printf("  residual %.3g of %.4g mJ (%.3g while pushing)\n", trace.relative, 1e3 * trace.peak_work,
                 trace.relative_pushing);
 }
