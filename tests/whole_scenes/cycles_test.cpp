@@ -42,16 +42,22 @@ private:
     std::vector<Cycle> cycles_;
 };
 
-void expect_no_drift(const Overrides& overrides) {
-    Stage stage(own_scene("stroke"), overrides);
-    ASSERT_EQ(stage.ticks(), cycles * ticks_per_cycle);
-    CycleWatch watch;
+/// Plays all cycles; returns how often the tip punctured.
+std::size_t watch_cycles(Stage& stage, CycleWatch& watch) {
     std::size_t punctures = 0;
-    for (std::size_t tick = 0; tick < stage.ticks(); ++tick) {
+    for (std::size_t tick = 0; tick < cycles * ticks_per_cycle; ++tick) {
         stage.simulation().tick();
         watch.take(stage.simulation().sample(), tick);
         for (const core::Event& event : stage.simulation().events()) punctures += event.name == std::string_view("punctured");
     }
+    return punctures;
+}
+
+void expect_no_drift(const Overrides& overrides) {
+    Stage stage(own_scene("stroke"), overrides);
+    ASSERT_EQ(stage.ticks(), cycles * ticks_per_cycle);
+    CycleWatch watch;
+    const std::size_t punctures = watch_cycles(stage, watch);
     const Cycle& second = watch.all()[1];
     double uneven = 0.0, cut_again = 0.0;
     for (std::size_t i = 1; i < cycles; ++i) {
@@ -82,6 +88,21 @@ TEST(InAndOut, AThousandTimesLeavesARigidNeedleWhereItWas) {
 
 TEST(InAndOut, AThousandTimesLeavesAFlexibleNeedleWhereItWas) {
     expect_no_drift({{"needle.type", "beam_column"}, {"needle.buckling", "{type: euler}"}});
+}
+
+/// A needle that bows at 0.64 N and never gets in: nothing is lost, however often it bows.
+TEST(BowedAndStraightened, AThousandTimesLeavesTheNeedleWhereItWas) {
+    Stage stage(own_scene("stroke"),
+                {{"needle.type", "beam_column"}, {"needle.buckling", "{type: euler}"}, {"needle.length", "200 mm"}});
+    CycleWatch watch;
+    EXPECT_EQ(watch_cycles(stage, watch), 0u);
+    const core::Ledger& ledger = stage.simulation().ledger();
+    measured("peak_hand_force", watch.peak(), "N");
+    measured("drift", watch.drift(), "N");
+    measured("residual", ledger.peak_residual() / ledger.peak_work());
+    EXPECT_GT(watch.peak(), 0.65) << "it did not bow";
+    EXPECT_LE(watch.drift(), most_drift);
+    EXPECT_LE(ledger.peak_residual(), sound_residual * ledger.peak_work());
 }
 
 }    // namespace

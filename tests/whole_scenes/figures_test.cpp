@@ -1,4 +1,5 @@
 // Figs. 9 and 10 of the paper, as the mechanics gives them (reference: paper_findings, "Fig. 10").
+#include "core/run/run.h"
 #include "tests/whole_scenes/trace.h"
 
 #include <gtest/gtest.h>
@@ -22,6 +23,13 @@ void expect_buckling_outside(const std::string& scene, double load) {
     EXPECT_EQ(trace.count("punctured"), 0u);
     EXPECT_EQ(trace.count("buckled"), 1u);
     expect_sound(trace);
+
+    const core::RunReport report = core::run(core::read_scene(paper_scene(scene), {}, plugin_folders()), plugin_folders(), {});
+    ASSERT_EQ(report.buckling.size(), 1u);
+    EXPECT_EQ(report.buckling[0].force, buckled->hand_force);
+    EXPECT_EQ(report.events.back().name, "never punctured");
+    EXPECT_EQ(report.ledger.relative, trace.relative);
+    EXPECT_EQ(report.ledger.relative_pushing, trace.relative_pushing);
 }
 
 void expect_puncture_without_buckling(const std::string& scene, double load) {
