@@ -60,6 +60,7 @@ std::vector<Column> columns_of(const std::vector<std::string>& record) {
 
 std::vector<std::string> record_words() {
     std::vector<std::string> words;
+    words.reserve(std::size(columns) + 1);
     for (const Column& column : columns) words.emplace_back(column.name);
     words.emplace_back(ledger);
     return words;

@@ -143,7 +143,7 @@ Vector3 BeamColumn::position(const State& state, double arclength) const {
 }
 
 Vector3 BeamColumn::tangent(double arclength) const {
-    const Vector3 axis = trial_.base.axis();
+    Vector3 axis = trial_.base.axis();
     if (!trial_.bowed || arclength >= trial_.free_length) return axis;
     const double slope = curve_.end_slope(trial_.shortening / trial_.free_length);
     const double x = abscissa(std::max(0.0, arclength / trial_.free_length), slope);
