@@ -21,6 +21,7 @@ public:
 
     /// n × n, symmetric, `negatives` of its eigenvalues in [−2, −½], the others in [½, 2].
     MatrixX symmetric(int n, int negatives) {
+        if (n == 0) return MatrixX(0, 0);
         const MatrixX turned = Eigen::HouseholderQR<MatrixX>(matrix(n, n)).householderQ();
         VectorX eigenvalues(n);
         for (int i = 0; i < n; ++i) eigenvalues[i] = (i < negatives ? -1.0 : 1.0) * between(0.5, 2.0);
@@ -34,6 +35,7 @@ private:
 
 /// A whose first m rows have this inertia and whose Schur complement on the others is `schur`.
 inline MatrixX with_schur_complement(Draw& draw, int m, int negatives, const MatrixX& schur) {
+    if (m == 0) return schur;
     const auto boxed = static_cast<int>(schur.rows());
     MatrixX a(m + boxed, m + boxed);
     a.topLeftCorner(m, m) = draw.symmetric(m, negatives);
