@@ -20,7 +20,7 @@ struct Sizes {
 
 Sizes draw_sizes(Draw& draw) {
     Sizes sizes{.eliminated = 1 + draw.below(30), .left = 0, .negatives = 0};
-    sizes.left = draw.below(20);
+    sizes.left = 1 + draw.below(20);
     sizes.negatives = draw.below(sizes.eliminated + 1);
     return sizes;
 }
