@@ -14,17 +14,35 @@ struct ContactRow {
     bool lateral = false;                   // held sideways on its track
     double lower = 0.0, upper = 0.0;        // [N] what the axial force may be
     double gap = 0.0;                       // [m] that the needle must still advance before the axial force acts
-    Vector3 own_force = Vector3::Zero();    // [N] on the needle, whatever the motion
+    Vector3 own_force = Vector3::Zero();    // [N] of the effects on the needle, whatever the motion
 
-    Vector3 old_force = Vector3::Zero();       // [N] on the needle at the last commit
-    Vector3 old_position = Vector3::Zero();    // [m] of the needle's material point at the last commit
+    bool first_held = false;             // held sideways for the first time: from where it happens to be, without force
+    Vector3 beside = Vector3::Zero();    // [m] how far beside its track it is held (out where first_held)
 
-    Vector3 force = Vector3::Zero();    // [N] on the needle, all of it (out)
-    double axial_force = 0.0;           // [N] the friction or tip force alone (out)
-    double old_axial_force = 0.0;       // [N] the same at the last commit, in this frame
-    double advance = 0.0;               // [m] of the needle past the tissue, from where the contact stands (out)
-    Vector3 carried_over =
-        Vector3::Zero();    // [m] in the frame: of the tissue past the needle, only by moving contact points (out)
+    // At the last commit.
+    Vector3 old_force = Vector3::Zero();           // [N] on the needle, all of it
+    Vector3 old_effect_force = Vector3::Zero();    // [N] of that, what the coupling and the effects exert
+    Vector3 old_sideways = Vector3::Zero();        // [N] and of all of it, what was across the needle
+    double old_configurational = 0.0;              // [N] and the rest, along −axis: see Coupling
+    double old_advance = 0.0;                      // [m]
+    Vector3 old_position = Vector3::Zero();        // [m] of the needle's material point
+
+    // Out.
+    Vector3 force = Vector3::Zero();              // [N] on the needle, all of it
+    Vector3 effect_force = Vector3::Zero();       // [N]
+    Vector3 sideways = Vector3::Zero();           // [N] of all of it, what is across the needle
+    double configurational = 0.0;                 // [N]
+    double axial_force = 0.0;                     // [N] the friction or tip force alone
+    double advance = 0.0;                         // [m] of the needle past the tissue, from where the contact stands
+    Vector3 tissue_position = Vector3::Zero();    // [m] of the tissue's point, after the step
+    Vector3 offset = Vector3::Zero();             // [m] in the frame: from the tissue's point to the needle's, after the step
+    Vector3 carried_over = Vector3::Zero();    // [m] in the frame: of the tissue past the needle, only by moving contact points
+};
+
+/// Where the shaft crosses the surface.
+struct Mouth {
+    int row = -1;         // of the contact there, −1: the needle is outside
+    double grip = 0.0;    // from 0 to 1: how firmly the track holds the needle's direction there
 };
 
 /// Row 0 is the tip's; the others are shaft contacts in the order in which the tip passed them. Memory for max_contacts is set
@@ -37,13 +55,11 @@ struct ContactSet {
     void clear() {
         points.clear();
         rows.clear();
-        relocated = false;
     }
     [[nodiscard]] bool empty() const { return points.empty(); }
 
     std::vector<ContactPoint> points;
     std::vector<ContactRow> rows;
-    bool relocated = false;    // a contact stands elsewhere than in the last solve
 };
 
 }    // namespace stylet::core

@@ -34,19 +34,33 @@ Contacts::Contacts(double needle_length, double needle_radius, double spacing)
     shaft_.reserve(most_shaft_contacts);
 }
 
+// A track takes hold of a needle's direction over the first needle diameter: the free length ends at the tip at first, and from
+// there on a needle radius below the mouth. Without that a needle bowed by its rupture force would be thrown out again before it
+// is in.
+double Contacts::free_length_with(double past_mouth) const {
+    const double hold = 2.0 * radius_;
+    const double held = past_mouth < hold ? 0.5 * past_mouth * std::max(0.0, past_mouth) / hold : past_mouth - 0.5 * hold;
+    return std::clamp(length_ - held, 0.0, length_);
+}
+
 double Contacts::free_length() const {
-    return shaft_.empty() ? length_ : std::clamp(shaft_.front().arclength, 0.0, length_);
+    return shaft_.empty() ? length_ : free_length_with(length_ - shaft_.front().arclength);
 }
 
 double Contacts::free_length_after(const ContactSet& set) const {
     if (shaft_.empty()) return length_;
-    return std::clamp(shaft_.front().arclength - set.rows[entry_row()].advance, 0.0, length_);
+    return free_length_with(length_ - shaft_.front().arclength + set.rows[mouth().row].advance);
+}
+
+Mouth Contacts::mouth() const {
+    if (tip_ != TipState::inside || shaft_.empty()) return {};
+    return {.row = 1, .grip = std::clamp((length_ - shaft_.front().arclength) / (2.0 * radius_), 0.0, 1.0)};
 }
 
 void Contacts::remember(const NeedleModel& needle) {
-    tip_position_ = needle.position(length_);
+    tip_position_ = needle.held_position(length_);
     tip_known_ = true;
-    for (ShaftContact& contact : shaft_) contact.position = needle.position(std::max(0.0, contact.arclength));
+    for (ShaftContact& contact : shaft_) contact.position = needle.held_position(std::max(0.0, contact.arclength));
 }
 
 ContactLaw Contacts::law_of(const Contact& contact, Effects effects) const {
@@ -65,7 +79,7 @@ void Contacts::arrange(const NeedleModel& needle, const TissueModel& tissue, Eff
     ContactPoint point{.material = touch_, .span = Vector3::Zero(), .arclength = length_, .tip = true};
     TipState tip = tip_;
     if (tip == TipState::free) {
-        const Vector3 now = needle.position(length_);
+        const Vector3 now = needle.held_position(length_);
         double entry = tip_known_ ? tissue.entry(tip_position_, now) : -1.0;
         Vector3 from = tip_position_;
         if (entry < 0.0 &&
@@ -73,13 +87,11 @@ void Contacts::arrange(const NeedleModel& needle, const TissueModel& tissue, Eff
             from = needle.position(0.0);
             entry = tissue.entry(from, now);
         }
-        set.relocated = moved_;
         if (entry < 0.0) return;
         point.material = from + entry * (now - from);
         tip = finds_own_track(point.material) ? TipState::inside : TipState::touching;
     }
     if (tip == TipState::inside) point.material = track_.material(way_);
-    set.relocated = moved_ || tip_ == TipState::free;
     set.points.push_back(point);
     set.rows.push_back(tip_row(tip, point, needle, tissue, effects));
     for (int i = 0; i < shaft_contacts(); ++i) add_shaft(i, needle, tissue, effects, set);
@@ -87,7 +99,7 @@ void Contacts::arrange(const NeedleModel& needle, const TissueModel& tissue, Eff
 
 ContactRow Contacts::tip_row(TipState tip, const ContactPoint& point, const NeedleModel& needle, const TissueModel& tissue,
                              Effects effects) const {
-    const Vector3 axis = needle.tangent(length_);
+    const Vector3 axis = needle.held_tangent(length_);
     const Contact contact{.tip = true,
                           .inside = tip == TipState::inside,
                           .layer = tissue.locate(point.material).layer,
@@ -104,8 +116,11 @@ ContactRow Contacts::tip_row(TipState tip, const ContactPoint& point, const Need
     row.upper = law.tip_limited || contact.layer == outside ? law.tip_limit : infinity;
     row.gap = tip == TipState::inside ? track_.cut() - way_ : 0.0;
     row.own_force = law.own_force;
-    row.old_force = tip_contact_.force;
-    row.old_axial_force = tip_contact_.axial_force;
+    if (letting_go_) {
+        row.lateral = false;
+        row.upper = 0.0;
+    }
+    tip_contact_.recall(row);
     row.old_position = tip_position_;
     return row;
 }
@@ -116,7 +131,7 @@ void Contacts::add_shaft(int i, const NeedleModel& needle, const TissueModel& ti
                              .span = track_.covered_span(i, way_),
                              .arclength = std::max(0.0, shaft.arclength),
                              .tip = false};
-    const Vector3 axis = needle.tangent(point.arclength);
+    const Vector3 axis = needle.held_tangent(point.arclength);
     const bool past_base = shaft.arclength < 0.0;
     const Contact contact{.tip = false,
                           .inside = true,
@@ -132,29 +147,46 @@ void Contacts::add_shaft(int i, const NeedleModel& needle, const TissueModel& ti
     row.frame = frame_of(axis);
     // A piece shorter than the needle is thick stands where the tip stands: the tip's lateral row holds both.
     row.lateral = !past_base && contact.coverage > radius_;
+    row.first_held = row.lateral && !shaft.held;
+    row.beside = shaft.beside - shaft.beside.dot(axis) * axis;
     row.upper = law.axial_limit;
     row.lower = -law.axial_limit;
     row.own_force = law.own_force;
-    row.old_force = shaft.force;
-    row.old_axial_force = shaft.axial_force;
+    shaft.recall(row);
     row.old_position = shaft.position;
     set.points.push_back(point);
     set.rows.push_back(row);
 }
 
 void Contacts::ShaftContact::take(const ContactRow& row) {
+    held = row.lateral;
+    beside = row.lateral ? row.beside : Vector3::Zero();
     force = row.force;
+    effect_force = row.effect_force;
+    sideways = row.sideways;
+    configurational = row.configurational;
     axial_force = row.axial_force;
     slip = row.advance;
     slipping = row.advance != 0.0;
     arclength -= row.advance;
 }
 
+void Contacts::ShaftContact::recall(ContactRow& row) const {
+    row.old_force = force;
+    row.old_effect_force = effect_force;
+    row.old_sideways = sideways;
+    row.old_configurational = configurational;
+    row.old_advance = slip;
+}
+
 ContactChange Contacts::absorb(const NeedleModel& needle, const TissueModel& tissue, const ContactSet& set) {
-    moved_ = false;
     if (set.empty()) return {};
     const ContactRow& row = set.rows.front();
     tip_contact_.take(row);
+    if (letting_go_) {
+        withdraw();
+        return {};
+    }
     const bool arrived = tip_ == TipState::free;
     if (arrived && !finds_own_track(set.points.front().material)) {
         tip_ = TipState::touching;
@@ -171,14 +203,14 @@ ContactChange Contacts::absorb(const NeedleModel& needle, const TissueModel& tis
     if (row.axial_force >= row.upper && row.advance > 0.0) {
         tip_ = TipState::inside;
         way_ = 0.0;
-        track_.begin(touch_, needle.tangent(length_));
+        track_.begin(touch_, needle.held_tangent(length_));
         ContactChange change = absorb_inside(needle, tissue, set);
         change.punctured = true;
         change.event = "punctured";
         return change;
     }
     if (row.axial_force <= 0.0 && row.advance < 0.0) {
-        withdraw();
+        let_go();
         return {.event = arrived ? nullptr : "lifted off"};
     }
     return {.event = arrived ? "touched" : nullptr};
@@ -187,42 +219,49 @@ ContactChange Contacts::absorb(const NeedleModel& needle, const TissueModel& tis
 ContactChange Contacts::absorb_inside(const NeedleModel& needle, const TissueModel& tissue, const ContactSet& set) {
     ContactChange change{.layer = tissue.locate(track_.material(way_)).layer};
     for (int i = 0; i < shaft_contacts(); ++i) shaft_[i].take(set.rows[i + 1]);
-    const double before = way_;
     way_ += set.rows.front().advance;
     if (way_ <= 0.0) {
-        withdraw();
+        let_go();
         change.event = "withdrawn";
         return change;
     }
-    change.cut = track_.reach(way_, needle.tangent(length_));
-    const bool now_outside = tissue.locate(track_.material(way_)).layer == outside;
+    change.cut = track_.reach(way_, needle.held_tangent(length_));
+    const int layer = tissue.locate(track_.material(way_)).layer;
+    const bool now_outside = layer == outside;
     if (now_outside && !outside_) {
         track_.leave(way_);
         change.event = "left the tissue";
+    } else if (layer != change.layer && !now_outside && !outside_) {
+        change.event = "crossed an interface";
     }
     outside_ = now_outside;
-    const bool laid = lay_shaft();
-    moved_ = laid || way_ != before;
+    lay_shaft();
     return change;
 }
 
-// One shaft contact for each piece of track that the tip has passed. Returns whether their number changed.
-bool Contacts::lay_shaft() {
-    const std::size_t before = shaft_.size();
+// One shaft contact for each piece of track that the tip has passed.
+void Contacts::lay_shaft() {
     int wanted = 1;
     while (wanted < track_.nodes() && track_.way_of(wanted) <= way_) ++wanted;
-    while (shaft_contacts() > wanted) shaft_.pop_back();
+    while (shaft_contacts() > wanted && shaft_.back().force.isZero(0.0)) shaft_.pop_back();    // once it carries nothing
     while (shaft_contacts() < wanted) shaft_.push_back({.arclength = length_ - (way_ - track_.way_of(shaft_contacts()))});
-    return shaft_.size() != before;
+}
+
+// The tip is out. Where a contact still carries something, one more step without it comes first.
+void Contacts::let_go() {
+    letting_go_ = true;
+    bool carries = !tip_contact_.force.isZero(0.0);
+    for (const ShaftContact& contact : shaft_) carries = carries || !contact.force.isZero(0.0);
+    if (!carries) withdraw();
 }
 
 void Contacts::withdraw() {
+    letting_go_ = false;
     tip_ = TipState::free;
     tip_contact_ = {.arclength = length_};
     shaft_.clear();
     way_ = 0.0;
     outside_ = false;
-    moved_ = true;
 }
 
 }    // namespace stylet::core

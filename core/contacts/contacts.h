@@ -48,21 +48,28 @@ public:
     [[nodiscard]] double free_length() const;                                                  // [m]
     [[nodiscard]] double free_length_after(const ContactSet& set) const;                       // [m] once `set` is absorbed
     [[nodiscard]] int shaft_contacts() const { return static_cast<int>(shaft_.size()); }
-    [[nodiscard]] int entry_row() const { return tip_ == TipState::inside && !shaft_.empty() ? 1 : -1; }
+    [[nodiscard]] Mouth mouth() const;
 
 private:
     /// A piece of shaft in a piece of track (or the tip), as the last commit left it.
     struct ShaftContact {
-        double arclength;                   // [m] of the needle at the track's node
-        Vector3 force = Vector3::Zero();    // [N] on the needle
-        double axial_force = 0.0;           // [N]
-        double slip = 0.0;                  // [m] in the last step
+        double arclength;                          // [m] of the needle at the track's node
+        Vector3 force = Vector3::Zero();           // [N] on the needle, all of it
+        Vector3 effect_force = Vector3::Zero();    // [N] of that, what the coupling and the effects exert
+        Vector3 sideways = Vector3::Zero();        // [N] of all of it, what was across the needle
+        double configurational = 0.0;              // [N] and the rest, along −axis
+        bool held = false;                         // sideways on its track
+        Vector3 beside = Vector3::Zero();          // [m] how far beside it
+        double axial_force = 0.0;                  // [N]
+        double slip = 0.0;                         // [m] in the last step
         bool slipping = false;
         Vector3 position = Vector3::Zero();    // [m] world, before predict
 
         void take(const ContactRow& row);
+        void recall(ContactRow& row) const;
     };
 
+    [[nodiscard]] double free_length_with(double past_mouth) const;
     [[nodiscard]] bool finds_own_track(const Vector3& touched) const;
     ContactRow tip_row(TipState tip, const ContactPoint& point, const NeedleModel& needle, const TissueModel& tissue,
                        Effects effects) const;
@@ -70,7 +77,8 @@ private:
     [[nodiscard]] ContactLaw law_of(const Contact& contact, Effects effects) const;
 
     ContactChange absorb_inside(const NeedleModel& needle, const TissueModel& tissue, const ContactSet& set);
-    bool lay_shaft();
+    void lay_shaft();
+    void let_go();
     void withdraw();
 
     double length_;    // [m] of the needle
@@ -79,12 +87,12 @@ private:
     Track track_;
     Vector3 touch_ = Vector3::Zero();           // [m] material point that the tip rests on
     double way_ = 0.0;                          // [m] of the tip along the track
+    bool letting_go_ = false;                   // out again; the next step carries nothing, so that the books see what was lost
     bool outside_ = false;                      // the tip has left the tissue's extent
     Vector3 tip_position_ = Vector3::Zero();    // [m] world, at the last commit
     bool tip_known_ = false;
     ShaftContact tip_contact_{.arclength = 0.0};    // what the tip's row carried
     std::vector<ShaftContact> shaft_;
-    bool moved_ = true;    // contact points differ from those of the last solve
 };
 
 }    // namespace stylet::core

@@ -1,5 +1,6 @@
 #include "core/coupling/coupling.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -17,39 +18,50 @@ constexpr int most_shifts = 32;    // 2³²/(4 dt²): far stiffer than any needl
 
 constexpr int most_rows = 3 * max_contacts;
 
+Vector3 sideways_of(const ContactRow& row, const Vector3& force) {
+    const Vector3 along = row.frame.col(axial);
+    return force - force.dot(along) * along;
+}
+
 }    // namespace
 
 Coupling::Coupling()
     : box_(most_rows),
       lateral_row_(max_contacts),
-      compliance_(most_rows, most_rows),
-      work_(most_rows, most_rows),
-      free_(most_rows),
-      right_(most_rows),
-      lower_(most_rows),
-      upper_(most_rows),
+      compliance_(MatrixX::Zero(most_rows, most_rows)),
+      work_(MatrixX::Zero(most_rows, most_rows)),
+      free_(VectorX::Zero(most_rows)),
+      right_(VectorX::Zero(most_rows)),
+      lower_(VectorX::Zero(most_rows)),
+      upper_(VectorX::Zero(most_rows)),
       lambda_(VectorX::Zero(most_rows)),
-      forces_(most_rows),
-      opposite_(most_rows),
-      own_(most_rows),
-      scratch_(most_rows) {}
+      forces_(VectorX::Zero(most_rows)),
+      opposite_(VectorX::Zero(most_rows)),
+      own_(VectorX::Zero(most_rows)),
+      sideways_(VectorX::Zero(most_rows)),
+      scratch_(VectorX::Zero(most_rows)) {}
 
-CouplingReport Coupling::solve(NeedleModel& needle, TissueModel& tissue, ContactSet& contacts, int entry, double most_advance,
+CouplingReport Coupling::solve(NeedleModel& needle, TissueModel& tissue, ContactSet& contacts, Mouth mouth, double most_advance,
                                double dt) {
     CouplingReport report;
     const auto count = static_cast<Eigen::Index>(contacts.points.size());
     const Forces on_needle(forces_.data(), 3 * count), on_tissue(opposite_.data(), 3 * count);
     number_rows(contacts);
-    for (Eigen::Index i = 0; i < count; ++i) own_.segment<3>(3 * i) = contacts.rows[i].own_force;
-    if (entry >= 0) own_.segment<3>(3 * entry) += needle.entry_force() * contacts.rows[entry].frame.col(axial);
+    trial_.askew = committed_.askew;
+    for (ContactRow& row : contacts.rows) row.configurational = 0.0;
+    if (mouth.row >= 0) contacts.rows[mouth.row].configurational = mouth.grip * needle.entry_force();
     while (!report.converged && report.linearisations < most_linearisations) {
         if (!solve_linearised(needle, tissue, contacts, most_advance, dt, report)) break;
         const StepReport needle_step = needle.try_step(contacts.points, on_needle);
         const StepReport tissue_step = tissue.try_step(contacts.points, on_tissue);
         report.residual = std::max(needle_step.residual, tissue_step.residual);
+        const bool balanced = needle_step.residual <= tolerance && tissue_step.residual <= tolerance;    // false for NaN
         // A shift was needed: the state before the step was unstable, and nothing says that the one after it is not.
-        report.converged =
-            report.residual <= tolerance && shift_ == 0.0 && !needle_step.tangent_changed && !tissue_step.tangent_changed;
+        report.converged = balanced && shift_ == 0.0 && !needle_step.tangent_changed && !tissue_step.tangent_changed;
+    }
+    for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
+        ContactRow& row = contacts.rows[i];
+        row.offset = row.frame.transpose() * (needle.held_position(contacts.points[i].arclength) - row.tissue_position);
     }
     report.tip_held_back = tip_held_back_;
     return report;
@@ -61,13 +73,16 @@ bool Coupling::solve_linearised(NeedleModel& needle, TissueModel& tissue, Contac
     shift_ = 0.0;    // anew each time: once on a stable branch, Newton's full step converges in a few
     for (int shifts = 0; shifts <= most_shifts; ++shifts) {
         const Views bodies{needle.linearise(contacts.points, shift_), tissue.linearise(contacts.points, shift_)};
-        if (report.linearisations == 0 && shifts == 0) report.relocation = carry_over(bodies.tissue, contacts);
+        if (report.linearisations == 0 && shifts == 0) {
+            report.relocation = carry_over(bodies.tissue, contacts);
+            if (!contacts.empty()) contacts.rows[tip].configurational += trial_.askew;
+        }
         assemble(bodies, contacts);
         const BoxProblem::Outcome box = solve_box(contacts, most_advance);
         if (box.solved && box.negatives == bodies.needle.negatives + bodies.tissue.negatives) {
             ++report.linearisations;
             hand_out(contacts);
-            trial_energy_ = contact_energy(bodies.tissue);
+            take_stock(bodies.tissue, contacts);
             return true;
         }
         if (!(dt > 0.0)) return false;    // no time has passed: no inertia to lean on
@@ -95,7 +110,7 @@ void Coupling::assemble(const Views& bodies, const ContactSet& contacts) {
         const ContactRow& row = contacts.rows[i];
         const int lateral = lateral_row_[i];
         const Vector3 between =
-            row.frame.transpose() * (bodies.needle.free.segment<3>(3 * i) - bodies.tissue.free.segment<3>(3 * i));
+            row.frame.transpose() * (bodies.needle.free.segment<3>(3 * i) - bodies.tissue.free.segment<3>(3 * i) - row.beside);
         if (lateral >= 0) free_.segment<2>(lateral) = between.head<2>();
         free_[axial_row(i)] = between[axial] + row.gap;
         lower_[axial_row(i)] = row.lower;
@@ -116,6 +131,10 @@ void Coupling::assemble(const Views& bodies, const ContactSet& contacts) {
 
 void Coupling::add_own_forces(const Views& bodies, const ContactSet& contacts) {
     const auto count = static_cast<Eigen::Index>(contacts.points.size());
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const ContactRow& row = contacts.rows[i];
+        own_.segment<3>(3 * i) = row.own_force + row.configurational * row.frame.col(axial);
+    }
     const auto own = own_.head(3 * count);
     if (own.isZero(0.0)) return;
     auto moved = scratch_.head(3 * count);
@@ -146,7 +165,8 @@ BoxProblem::Outcome Coupling::solve_box(const ContactSet& contacts, double most_
         return outcome;
     };
     BoxProblem::Outcome outcome = attempt();
-    if (outcome.solved && !tip_held_back_ && -(scratch_[axial_row(tip)] + free_[axial_row(tip)]) > most_advance) {
+    if (outcome.solved && !contacts.empty() && !tip_held_back_ &&
+        -(scratch_[axial_row(tip)] + free_[axial_row(tip)]) > most_advance) {
         tip_held_back_ = true;
         outcome = attempt();
     }
@@ -165,6 +185,7 @@ void Coupling::hand_out(ContactSet& contacts) {
         row.advance = row.gap - (stuck ? 0.0 : scratch_[along] + free_[along]);
         Vector3 local(0.0, 0.0, lambda_[along]);
         if (across >= 0) local.head<2>() = lambda_.segment<2>(across);
+        row.effect_force = row.frame * local + row.own_force;
         row.force = row.frame * local + own_.segment<3>(at);
         forces_.segment<3>(at) = row.force;
         opposite_.segment<3>(at) = -row.force;
@@ -174,23 +195,67 @@ void Coupling::hand_out(ContactSet& contacts) {
 // The tissue's energy under its own contact forces is ½ fᵀWf. Where contact points have moved, the old forces meet another W: the
 // energy they gain and the advance they seem to make there belong to the move, not to the step.
 double Coupling::carry_over(const Linearisation& tissue, ContactSet& contacts) {
-    if (!contacts.relocated) return 0.0;
     const auto count = static_cast<Eigen::Index>(contacts.rows.size());
+    if (count == 0) {
+        trial_ = {};
+        return -committed_.energy;
+    }
     auto old_forces = forces_.head(3 * count);
     for (Eigen::Index i = 0; i < count; ++i) old_forces.segment<3>(3 * i) = contacts.rows[i].old_force;
     auto moved = scratch_.head(3 * count);
     moved.noalias() = tissue.compliance.selfadjointView<Eigen::Lower>() * old_forces;
     for (Eigen::Index i = 0; i < count; ++i) {
         ContactRow& row = contacts.rows[i];
-        row.carried_over = row.frame.transpose() * (tissue.free.segment<3>(3 * i) - moved.segment<3>(3 * i) - row.old_position);
+        const Vector3 misfit = row.old_position - (tissue.free.segment<3>(3 * i) - moved.segment<3>(3 * i));
+        row.carried_over = -row.frame.transpose() * misfit;
+        if (row.first_held) row.beside = sideways_of(row, misfit);
     }
-    return 0.5 * old_forces.dot(moved) - committed_energy_;
+    const double relocation = 0.5 * old_forces.dot(moved) - committed_.energy;
+    trial_.askew = askew_force(tissue, contacts);
+    return relocation;
 }
 
-double Coupling::contact_energy(const Linearisation& tissue) {
-    const Eigen::Index size = tissue.free.size();
-    scratch_.head(size).noalias() = tissue.compliance.selfadjointView<Eigen::Lower>() * forces_.head(size);
-    return 0.5 * forces_.head(size).dot(scratch_.head(size));
+// The energy that the sideways forces have gained on the tip's last way, over that way: at constant force what their relocation
+// added to the tissue, and what it seems to have moved the needle against them.
+double Coupling::askew_force(const Linearisation& tissue, const ContactSet& contacts) {
+    constexpr double shortest_way = 1e-7;    // [m] below it the quotient is rounding, and the last answer stands
+    const double way = contacts.rows[tip].old_advance;
+    if (std::abs(way) < shortest_way) return committed_.askew;
+    double gained = -committed_.sideways_energy;
+    for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
+        const ContactRow& row = contacts.rows[i];
+        sideways_.segment<3>(3 * static_cast<Eigen::Index>(i)) = row.old_sideways;
+        gained += row.old_sideways.dot(row.frame * row.carried_over + row.beside);
+    }
+    const double steepest = contacts.rows[tip].old_sideways.norm();    // a track that lies askew by 45°
+    return std::clamp((gained + energy_of(tissue, sideways_)) / way, -steepest, steepest);
+}
+
+// ½ fᵀWf; leaves Wf in scratch_.
+double Coupling::energy_of(const Linearisation& tissue, const VectorX& forces) {
+    const auto of_contacts = forces.head(tissue.free.size());
+    auto moved = scratch_.head(tissue.free.size());
+    if (of_contacts.isZero(0.0)) {
+        moved.setZero();
+        return 0.0;
+    }
+    moved.noalias() = tissue.compliance.selfadjointView<Eigen::Lower>() * of_contacts;
+    return 0.5 * of_contacts.dot(moved);
+}
+
+// What of the solved forces the next step and the ledger need to know of the tissue.
+void Coupling::take_stock(const Linearisation& tissue, ContactSet& contacts) {
+    for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
+        ContactRow& row = contacts.rows[i];
+        row.sideways = sideways_of(row, row.force);
+        sideways_.segment<3>(3 * static_cast<Eigen::Index>(i)) = row.sideways;
+    }
+    trial_.sideways_energy = energy_of(tissue, sideways_);
+    trial_.energy = energy_of(tissue, forces_);
+    for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
+        const auto at = 3 * static_cast<Eigen::Index>(i);
+        contacts.rows[i].tissue_position = tissue.free.segment<3>(at) - scratch_.segment<3>(at);
+    }
 }
 
 }    // namespace stylet::core

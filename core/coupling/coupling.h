@@ -24,8 +24,14 @@ struct CouplingReport {
 /// Lateral rows are bilateral (v = 0), axial rows stick inside their box and slip at its sides (BoxProblem). Both bodies are
 /// linearised about their trial state, solved, stepped, and linearised again until no force is out of balance by more than
 /// `tolerance`. The branch is checked by inertia: the bilateral block must have as many negative pivots as the bodies report
-/// (Haynsworth 1968); while it has not, the bodies are linearised with a growing shift τ M. The needle's entry force is that of the
-/// step's start: it changes by the bow, which a step changes little. Changes the bodies' trial state only; allocates nothing.
+/// (Haynsworth 1968); while it has not, the bodies are linearised with a growing shift τ M.
+///
+/// Two configurational forces act along the needle whatever its motion, both taken from the step's start, because a step changes
+/// them little. The mouth of the track pushes a bowed needle out (NeedleModel::entry_force). And a tip that is pressed sideways
+/// pushes into a track that lies askew: by how much follows from the energy that moving the sideways forces along with the tip
+/// has just given them, over its way. Without it a sideways push, an insertion, and the way back would give the hand energy.
+///
+/// Changes the bodies' trial state only; allocates nothing.
 class Coupling {
 public:
     static constexpr double tolerance = 1e-9;         // [N]
@@ -33,17 +39,22 @@ public:
 
     Coupling();
 
-    /// `entry` is the row at which the needle's entry force acts (−1: none). `most_advance` [m] bounds the tip's way in one
-    /// solve.
-    CouplingReport solve(NeedleModel& needle, TissueModel& tissue, ContactSet& contacts, int entry, double most_advance,
+    /// `most_advance` [m] bounds the tip's way in one solve.
+    CouplingReport solve(NeedleModel& needle, TissueModel& tissue, ContactSet& contacts, Mouth mouth, double most_advance,
                          double dt);
 
     /// The caller has committed the bodies.
-    void commit() { committed_energy_ = trial_energy_; }
+    void commit() { committed_ = trial_; }
 
 private:
     struct Views {
         Linearisation needle, tissue;
+    };
+    /// What the next step must know of this one.
+    struct Memory {
+        double energy = 0.0;             // [J] ½ fᵀWf of the tissue
+        double sideways_energy = 0.0;    // [J] the same of the lateral forces alone
+        double askew = 0.0;              // [N] configurational force on the tip
     };
     bool solve_linearised(NeedleModel& needle, TissueModel& tissue, ContactSet& contacts, double most_advance, double dt,
                           CouplingReport& report);
@@ -53,7 +64,9 @@ private:
     BoxProblem::Outcome solve_box(const ContactSet& contacts, double most_advance);
     void hand_out(ContactSet& contacts);
     double carry_over(const Linearisation& tissue, ContactSet& contacts);
-    double contact_energy(const Linearisation& tissue);
+    double askew_force(const Linearisation& tissue, const ContactSet& contacts);
+    double energy_of(const Linearisation& tissue, const VectorX& forces);
+    void take_stock(const Linearisation& tissue, ContactSet& contacts);
     [[nodiscard]] int axial_row(int contact) const { return bilateral_ + contact; }
 
     BoxProblem box_;
@@ -65,11 +78,11 @@ private:
     VectorX lower_, upper_, lambda_;    // rows, [N]
     VectorX forces_, opposite_;         // 3n on the needle and on the tissue, world, [N]
     VectorX own_;                       // 3n on the needle whatever the motion, world, [N]
+    VectorX sideways_;                  // 3n, the lateral part of forces_, [N]
     VectorX scratch_;                   // 3n, [m]
     double shift_ = 0.0;                // [1/s²] τ of this solve
     bool tip_held_back_ = false;
-    double trial_energy_ = 0.0;        // [J] ½ fᵀWf of the tissue at the end of the last solve
-    double committed_energy_ = 0.0;    // [J] and at the last commit
+    Memory trial_, committed_;
 };
 
 }    // namespace stylet::core

@@ -31,13 +31,13 @@ Wrench ForceLimiter::limit(const Wrench& asked, double dt) {
     running_ += dt;
     const double fade = limits_.soft_start > 0.0 ? std::min(1.0, running_ / limits_.soft_start) : 1.0;
     Wrench out = faulted_ ? Wrench{} : asked;
-    shorten(out.force, limits_.force * fade);
-    shorten(out.moment, limits_.moment * fade);
+    shorten(out.force, limits_.force);
+    shorten(out.moment, limits_.moment);
     const double rate = limits_.force_rate * dt;
     slew(out.force, last_.force, rate);
-    slew(out.moment, last_.moment, rate * limits_.moment / limits_.force);
+    slew(out.moment, last_.moment, limits_.force > 0.0 ? rate * limits_.moment / limits_.force : 0.0);
     last_ = out;
-    return out;
+    return {.force = fade * out.force, .moment = fade * out.moment};
 }
 
 }    // namespace stylet::core

@@ -23,7 +23,7 @@ public:
 
 private:
     DeviceLimits limits_;
-    Wrench last_;
+    Wrench last_;             // before the soft start
     double running_ = 0.0;    // [s] since the start, for the soft start
     bool faulted_ = false;
 };

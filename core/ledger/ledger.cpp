@@ -14,14 +14,24 @@ double hand_work(const HandStep& hand) {
            0.5 * (hand.wrench_before.moment + hand.wrench_after.moment).dot(turned.angle() * turned.axis());
 }
 
-double slip_work(const ContactRow& row) {
-    return 0.5 * (row.old_axial_force + row.axial_force) * row.advance;
+// The trapezoid's force over the step, in the row's frame.
+Vector3 mean(const ContactRow& row, const Vector3& old_force, const Vector3& force) {
+    return 0.5 * (row.frame.transpose() * (old_force + force));
 }
 
+double slip_work(const ContactRow& row) {
+    return mean(row, row.old_effect_force, row.effect_force).z() * row.advance;
+}
+
+// See the header. A contact that let go of its track in this step still has half its old force to work with while it springs
+// aside; a tip that lies askew pays for what its sideways forces gain by moving on.
 double released(const ContactSet& contacts, double relocation) {
     double work = -relocation;
-    for (const ContactRow& row : contacts.rows) {
-        work -= 0.5 * (row.old_force + row.force).dot(row.frame * row.carried_over);
+    for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
+        const ContactRow& row = contacts.rows[i];
+        work -= mean(row, row.old_force, row.force).dot(row.carried_over);
+        work -= mean(row, row.old_effect_force, row.effect_force).head<2>().dot(row.offset.head<2>());
+        if (contacts.points[i].tip) work += 0.5 * (row.old_configurational + row.configurational) * row.advance;
     }
     return work;
 }

@@ -36,7 +36,10 @@ struct HandStep {
 ///     hand work = Δ(stored + kinetic) + fracture + friction + burst + released + damping + numerical + residual
 ///
 /// Paper's Eq. (7) is this balance solved for the force. A step's slip w does the work ½(λₙ + λₙ₊₁) w; at the tip what exceeds
-/// fracture is burst. `released` is what moving a contact's point through the tissue frees: −ΔE − Σ ½(fₙ + fₙ₊₁)·(carried over).
+/// fracture is burst. `released` is what moving a contact's point through the tissue frees: −ΔE − Σ ½(fₙ + fₙ₊₁)·(carried over),
+/// less what the tip's configurational force has paid for, and what a contact gives up sideways when it lets go. It also takes
+/// back what a growing piece of shaft counts as slip too much, because its middle moves: there it is negative. Friction alone
+/// depends on the contact spacing by that much; the two together don't.
 class Ledger {
 public:
     /// Opens the books: whatever the bodies store now (a tip that begins in the tissue) is where the balance starts from.

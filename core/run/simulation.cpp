@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <utility>
 
 namespace stylet::core {
 
@@ -20,6 +22,13 @@ Pose between(const Pose& a, const Pose& b, double fraction) {
     return {.position = a.position + fraction * (b.position - a.position), .rotation = a.rotation.slerp(fraction, b.rotation)};
 }
 
+// [m] No hand is further from the tissue: a number that large is a device gone wrong, and its square would overflow.
+constexpr double farthest = 1e3;
+
+bool makes_sense(const Pose& pose) {
+    return pose.finite() && pose.position.cwiseAbs().maxCoeff() < farthest;
+}
+
 }    // namespace
 
 Simulation::Simulation(const Scene& scene, const Cast& cast)
@@ -32,8 +41,12 @@ Simulation::Simulation(const Scene& scene, const Cast& cast)
       effects_(cast.effects()),
       contacts_(setup_.length, setup_.radius, spacing_),
       limiter_(cast.device().limits(), scene.force_limit) {
-    base_ = device_.pose(0.0);
-    if (base_.finite()) step(base_, dt_, spacing_);
+    if (const Pose first = device_.pose(0.0); makes_sense(first)) {
+        base_ = first;
+        lost_ = !step(base_, dt_, spacing_);
+    } else {
+        fault("fault: the device's pose is not finite");
+    }
     ledger_.open(needle_, tissue_);
     sample_.depth = tissue_.locate(needle_.position(setup_.length)).depth;
     sample_.free_length = contacts_.free_length();
@@ -43,27 +56,36 @@ Simulation::Simulation(const Scene& scene, const Cast& cast)
 void Simulation::tick() {
     if (ticks_ > 0) events_.clear();    // what the very first contact at rest brought belongs to the first tick
     time_ = static_cast<double>(++ticks_) * dt_;
-    const Pose target = device_.pose(time_);
+    try {    // a plugin may not throw here, but if it does the hand must not feel it
+        follow(device_.pose(time_));
+    } catch (const std::exception&) {
+        fault("fault: a plugin threw an exception");
+    }
+    write_to_device();
+}
+
+void Simulation::follow(const Pose& target) {
     const Pose before = base_;
     const Balance books_before = ledger_.balance();
-    if (!target.finite()) {
-        if (!limiter_.faulted()) raise("fault: the device's pose is not finite");
-        limiter_.trip();
+    if (!makes_sense(target)) {
+        fault("fault: the device's pose is not finite");
     } else if (!limiter_.faulted()) {
         const bool found = move_to(target, dt_, 0);
         if (!found && !lost_) raise("not converged");
         lost_ = !found;
         announce();
     }
+    if (!std::isfinite(ledger_.balance().residual())) fault("fault: the energy books are not finite");
     take_sample(before, books_before);
-    write_to_device();
 }
 
-// A step that finds no equilibrium is taken in halves.
+// A step that finds no equilibrium is taken in halves, and so is a hand that moves the tip by more than a contact spacing.
 bool Simulation::move_to(const Pose& target, double dt, int halvings) {
-    if (step(target, dt, spacing_)) {
-        run_on();
-        return true;
+    const double turned = base_.rotation.angularDistance(target.rotation);
+    const double moved = (target.position - base_.position).norm() + turned * setup_.length;
+    const bool too_far = moved > spacing_ && halvings < most_halvings;
+    if (!too_far && step(target, dt, spacing_)) {
+        return run_on();
     }
     if (halvings == most_halvings) return false;
     return move_to(between(base_, target, 0.5), 0.5 * dt, halvings + 1) && move_to(target, 0.5 * dt, halvings + 1);
@@ -74,13 +96,13 @@ bool Simulation::step(const Pose& target, double dt, double most_advance) {
     needle_.predict(target, contacts_.free_length(), dt);
     tissue_.predict(dt);
     contacts_.arrange(needle_, tissue_, effects_, set_);
-    const CouplingReport report = coupling_.solve(needle_, tissue_, set_, contacts_.entry_row(), most_advance, dt);
+    const CouplingReport report = coupling_.solve(needle_, tissue_, set_, contacts_.mouth(), most_advance, dt);
     // Slip at the mouth of the track has changed the free length: a bowed needle's energy with it, in this step's books.
     needle_.predict(target, contacts_.free_length_after(set_), 0.0);
     const bool at_rest = dt == 0.0;
-    const bool sloppy =
-        at_rest && most_advance > smallest_piece * spacing_ &&
-        std::abs(ledger_.imbalance_at_rest(set_, report.relocation, needle_, tissue_)) > run_on_imbalance * ledger_.peak_work();
+    const bool sloppy = at_rest && most_advance > smallest_piece * spacing_ &&
+                        !(std::abs(ledger_.imbalance_at_rest(set_, report.relocation, needle_, tissue_)) <=
+                          run_on_imbalance * ledger_.peak_work());
     if (!report.converged || sloppy) {
         needle_.rollback();
         tissue_.rollback();
@@ -91,7 +113,7 @@ bool Simulation::step(const Pose& target, double dt, double most_advance) {
 }
 
 // After a rupture the tip runs on while the hand hardly moves: solved again at the same instant until it stops.
-void Simulation::run_on() {
+bool Simulation::run_on() {
     double piece = spacing_;
     for (int i = 0; held_back_ && i < most_pieces; ++i) {
         if (step(base_, 0.0, piece)) {
@@ -99,10 +121,10 @@ void Simulation::run_on() {
         } else if (piece > smallest_piece * spacing_) {
             piece *= 0.25;
         } else {
-            held_back_ = false;
-            raise("not converged");
+            break;
         }
     }
+    return !std::exchange(held_back_, false);
 }
 
 void Simulation::close(const Pose& target, const CouplingReport& report, bool at_rest) {
@@ -132,16 +154,36 @@ void Simulation::close(const Pose& target, const CouplingReport& report, bool at
 void Simulation::announce() {
     ever_touched_ = ever_touched_ || contacts_.tip() != TipState::free;
     const bool buckled = needle_.state().buckled;
-    if (buckled && !buckled_) raise(ever_punctured_ ? "second buckling" : "buckled");
+    if (buckled && !buckled_) raise(bucklings_++ == 0 ? "buckled" : bucklings_ == 2 ? "second buckling" : "buckled again");
     if (!buckled && buckled_) raise("straightened");
     buckled_ = buckled;
     if (const bool at_tissue = contacts_.free_length() <= 0.0; at_tissue != base_at_tissue_) {
         if (at_tissue) raise("base at the tissue");
         base_at_tissue_ = at_tissue;
     }
-    const char* beyond = needle_.beyond_validity() != nullptr ? needle_.beyond_validity() : tissue_.beyond_validity();
-    if (beyond != nullptr && beyond != beyond_validity_) raise(beyond);
-    beyond_validity_ = beyond;
+    const bool astray = contacts_.tip() == TipState::free && tissue_.locate(needle_.position(setup_.length)).layer != outside;
+    if (astray && !astray_) raise("in the tissue, but not through its surface");
+    astray_ = astray;
+    announce_validity(needle_.beyond_validity(), needle_beyond_);
+    announce_validity(tissue_.beyond_validity(), tissue_beyond_);
+}
+
+void Simulation::announce_validity(const char* beyond, const char*& announced) {
+    if (beyond != nullptr && beyond != announced) raise(beyond);
+    announced = beyond;
+}
+
+// Says it without asking a plugin anything, for a plugin may be what is at fault.
+void Simulation::fault(const char* name) {
+    if (!limiter_.faulted()) {
+        events_.add({.name = name,
+                     .time = time_,
+                     .travel = travel_,
+                     .depth = sample_.depth,
+                     .hand_force = sample_.hand_force,
+                     .critical_load = sample_.critical_load});
+    }
+    limiter_.trip();
 }
 
 void Simulation::raise(const char* name) {
@@ -162,10 +204,12 @@ void Simulation::take_sample(const Pose& before, const Balance& books_before) {
     sample_.depth = tissue_.locate(needle_.position(setup_.length)).depth;
     sample_.inserted = contacts_.inserted();
     sample_.hand_force = needle_.base_wrench().force.dot(base_.axis());
-    sample_.tip_force = 0.0;
-    sample_.friction_force = 0.0;
-    for (std::size_t i = 0; i < set_.rows.size(); ++i) {
-        (set_.points[i].tip ? sample_.tip_force : sample_.friction_force) += set_.rows[i].axial_force;
+    if (!lost_) {    // else the rows are of a step that was taken back
+        sample_.tip_force = 0.0;
+        sample_.friction_force = 0.0;
+        for (std::size_t i = 0; i < set_.rows.size(); ++i) {
+            (set_.points[i].tip ? sample_.tip_force : sample_.friction_force) += set_.rows[i].axial_force;
+        }
     }
     sample_.critical_load = state.critical_load;
     sample_.deflection = state.deflection;
@@ -191,11 +235,13 @@ void Simulation::take_sample(const Pose& before, const Balance& books_before) {
 
 // The hand feels the opposite of what it does to the needle. Where there is no equilibrium the last force must not be held.
 void Simulation::write_to_device() {
-    const Wrench held = needle_.base_wrench();
-    const Wrench felt = lost_ ? Wrench{} : Wrench{.force = -held.force, .moment = -held.moment};
-    const bool faulted_before = limiter_.faulted();
+    Wrench felt;
+    if (!lost_ && !limiter_.faulted()) {
+        const Wrench held = needle_.base_wrench();
+        felt = {.force = -held.force, .moment = -held.moment};
+    }
+    if (!felt.finite()) fault("fault: the simulation's force is not finite");
     const Wrench out = limiter_.limit(felt, dt_);
-    if (limiter_.faulted() && !faulted_before) raise("fault: the simulation's force is not finite");
     device_.write(out);
     sample_.device_force = -out.force.dot(base_.axis());
 }

@@ -24,7 +24,7 @@ struct Event {
     double critical_load = 0.0;    // [N]
 };
 
-/// The events of one tick; those beyond the capacity are counted, not kept.
+/// The events of one tick; there is room for more than one tick can bring.
 class EventList {
 public:
     void clear() { count_ = 0; }
@@ -58,10 +58,13 @@ public:
 private:
     bool move_to(const Pose& target, double dt, int halvings);
     bool step(const Pose& target, double dt, double most_advance);
-    void run_on();
+    bool run_on();
+    void follow(const Pose& target);
     void close(const Pose& target, const CouplingReport& report, bool at_rest);
     void announce();
+    void announce_validity(const char* beyond, const char*& announced);
     void raise(const char* name);
+    void fault(const char* name);
     void take_sample(const Pose& before, const Balance& books_before);
     void write_to_device();
 
@@ -88,10 +91,13 @@ private:
     bool held_back_ = false;    // the last step's tip had further to go at rest of the hand
     bool lost_ = false;         // the last tick found no equilibrium
     bool buckled_ = false;
+    int bucklings_ = 0;
     bool ever_touched_ = false;
     bool ever_punctured_ = false;
     bool base_at_tissue_ = false;
-    const char* beyond_validity_ = nullptr;
+    bool astray_ = false;    // the tip is in the tissue, but no contact knows of it
+    const char* needle_beyond_ = nullptr;
+    const char* tissue_beyond_ = nullptr;
 };
 
 }    // namespace stylet::core

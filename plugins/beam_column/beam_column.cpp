@@ -32,8 +32,7 @@ double abscissa(double arc, double a) {
 
 BeamColumn::BeamColumn(const Setup& setup)
     : needle_(setup.needle), buckling_(setup.buckling), free_(3 * max_contacts), compliance_(3 * max_contacts, 3 * max_contacts) {
-    trial_.free_length = needle_.length;
-    trial_.critical_load = critical_load(needle_.length);
+    set_free_length(needle_.length);
     state_ = trial_;
 }
 
@@ -44,12 +43,18 @@ double BeamColumn::critical_load(double free_length) const {
 
 void BeamColumn::predict(const Pose& base, double free_length, double /*dt: no inertia*/) {
     trial_.base = base;
-    if (free_length == trial_.free_length) return;
-    trial_.free_length = free_length;
-    trial_.critical_load = critical_load(free_length);
+    set_free_length(free_length);
+}
+
+// A column shorter than the needle is thick is none: its length stays at the radius.
+void BeamColumn::set_free_length(double free_length) {
+    const double length = std::max(free_length, needle_.radius);
+    if (length == trial_.free_length) return;
+    trial_.free_length = length;
+    trial_.critical_load = critical_load(length);
     if (buckling_ != nullptr) {
-        const double h = 1e-4 * free_length + 1e-9;
-        trial_.critical_slope = (critical_load(free_length + h) - critical_load(free_length - h)) / (2.0 * h);
+        const double h = 1e-4 * length;
+        trial_.critical_slope = (critical_load(length + h) - critical_load(length - h)) / (2.0 * h);
     }
 }
 
@@ -101,7 +106,7 @@ StepReport BeamColumn::try_step(ContactPoints points, Forces forces) {
     trial_.wrench.force = -sum;
     trial_.wrench.moment.setZero();
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const Vector3 arm = position(trial_, points[i].arclength) - trial_.base.position;
+        const Vector3 arm = held_position(points[i].arclength) - trial_.base.position;
         trial_.wrench.moment -= arm.cross(forces.segment<3>(3 * static_cast<Eigen::Index>(i)));
     }
     return report;
@@ -133,9 +138,14 @@ const char* BeamColumn::beyond_validity() const {
     return "beyond validity: the needle's slope is over 45°";
 }
 
+// On the needle's line, as far from the base as the shortening leaves it.
+Vector3 BeamColumn::straight(const State& state, double arclength) {
+    return state.base.position + (arclength - state.shortening) * state.base.axis();
+}
+
 Vector3 BeamColumn::position(const State& state, double arclength) const {
+    if (!state.bowed || arclength >= state.free_length) return straight(state, arclength);
     const Vector3 axis = state.base.axis();
-    if (!state.bowed || arclength >= state.free_length) return state.base.position + (arclength - state.shortening) * axis;
     const double slope = curve_.end_slope(state.shortening / state.free_length);
     const double x = abscissa(std::max(0.0, arclength / state.free_length), slope);
     const double bow = state.free_length * ColumnCurve::amplitude(slope) * std::sin(pi * x);
@@ -152,7 +162,8 @@ Vector3 BeamColumn::tangent(double arclength) const {
 
 void BeamColumn::centreline(std::span<Vector3> points) const {
     for (std::size_t i = 0; i < points.size(); ++i) {
-        points[i] = position(state_, needle_.length * static_cast<double>(i) / static_cast<double>(points.size() - 1));
+        const double arclength = needle_.length * static_cast<double>(i) / static_cast<double>(points.size() - 1);
+        points[i] = position(state_, arclength);
     }
 }
 

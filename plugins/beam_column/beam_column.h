@@ -32,6 +32,8 @@ public:
 
     Vector3 position(double arclength) const override { return position(trial_, arclength); }
     Vector3 tangent(double arclength) const override;
+    Vector3 held_position(double arclength) const override { return straight(trial_, arclength); }
+    Vector3 held_tangent(double /*arclength*/) const override { return trial_.base.axis(); }
     double entry_force() const override;
     Wrench base_wrench() const override { return state_.wrench; }
     NeedleState state() const override;
@@ -52,7 +54,9 @@ private:
 
     double stored(const State& state) const;
     double critical_load(double free_length) const;
+    void set_free_length(double free_length);
     Vector3 position(const State& state, double arclength) const;
+    static Vector3 straight(const State& state, double arclength);
 
     NeedleSetup needle_;
     const BucklingModel* buckling_;    // may be null

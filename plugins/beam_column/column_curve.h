@@ -25,7 +25,7 @@ class ColumnCurve {
 public:
     ColumnCurve();
 
-    /// 0 ≤ η; beyond the last tabulated slope (89°) the load goes on in a straight line.
+    /// 0 ≤ η; beyond the last tabulated slope (89°) the column is folded flat and stops.
     [[nodiscard]] CurvePoint at(double shortening) const;
 
     /// The slope at the ends α [rad].

@@ -9,6 +9,8 @@ namespace {
 
 // Points that share a shaft contact's force evenly. A fixed number: the compliance then changes smoothly while the piece grows.
 constexpr int shaft_samples = 8;
+// A tip as large as a radius feels an interface from about this many radii away.
+constexpr double interface_radii = 4.0;
 // A piece of shaft of no length stands where the tip stands. This much softer, in its own place, it stays a contact of its own.
 constexpr double independence = 1e-9;
 // An odd number of cache lines between columns, so that a row of the compliance doesn't fall into one cache set.
@@ -38,6 +40,7 @@ bool same_tissue(const ContactPoint& a, const ContactPoint& b) {
 HalfSpace::HalfSpace(const Setup& setup)
     : setup_(setup.tissue),
       kernel_(common_poisson_ratio(setup.tissue), setup.needle.radius),
+      radius_(setup.needle.radius),
       patches_(max_contacts),
       free_(3 * max_contacts),
       compliance_(MatrixX::Zero(3 * max_contacts + column_padding, 3 * max_contacts)),
@@ -56,8 +59,7 @@ void HalfSpace::place(Patch& patch, const ContactPoint& point) const {
         patch.samples[i] = point.material + (i + 0.5) / patch.count * point.span;
     }
     const Vector3 middle = point.material + 0.5 * point.span;
-    const double modulus = setup_.layers[layer_at(-middle.z())].youngs_modulus;
-    patch.weight = 1.0 / (patch.count * std::sqrt(modulus));
+    patch.weight = 1.0 / (patch.count * std::sqrt(modulus_at(-middle.z())));
 }
 
 Matrix3 HalfSpace::block(const Patch& i, const Patch& j) const {
@@ -106,9 +108,22 @@ StepReport HalfSpace::try_step(ContactPoints points, Forces forces) {
     trial_.energy = 0.5 * forces.dot(displacement);
     trial_.dent = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (points[i].tip) trial_.dent = -displacement[3 * static_cast<Eigen::Index>(i) + 2];
+        if (!points[i].tip) continue;
+        trial_.dent = -displacement[3 * static_cast<Eigen::Index>(i) + 2];
+        trial_.room = room_at(-points[i].material.z());
     }
     return {};
+}
+
+// Geometric blend over a few radii on either side of each interface: a tip that crosses one feels it come.
+double HalfSpace::modulus_at(double depth) const {
+    const double half_width = interface_radii * radius_;
+    double modulus = setup_.layers.front().youngs_modulus;
+    for (std::size_t i = 0; i + 1 < bottoms_.size(); ++i) {
+        const double t = std::clamp(0.5 * (1.0 + (depth - bottoms_[i]) / half_width), 0.0, 1.0);
+        modulus *= std::pow(setup_.layers[i + 1].youngs_modulus / setup_.layers[i].youngs_modulus, t * t * (3.0 - 2.0 * t));
+    }
+    return modulus;
 }
 
 int HalfSpace::layer_at(double depth) const {
@@ -131,8 +146,20 @@ double HalfSpace::entry(const Vector3& from, const Vector3& to) const {
     return locate({crossing.x(), crossing.y(), 0.0}).layer == outside ? none : fraction;
 }
 
+// How thick the tissue of this modulus is here.
+double HalfSpace::room_at(double depth) const {
+    const int layer = layer_at(depth), last = static_cast<int>(bottoms_.size()) - 1;
+    const auto alike = [&](int other) { return setup_.layers[other].youngs_modulus == setup_.layers[layer].youngs_modulus; };
+    int top = layer, bottom = layer;
+    while (top > 0 && alike(top - 1)) --top;
+    while (bottom < last && alike(bottom + 1)) ++bottom;
+    return bottoms_[bottom] - (top == 0 ? 0.0 : bottoms_[top - 1]);
+}
+
 const char* HalfSpace::beyond_validity() const {
-    return state_.dent > setup_.extent.z() ? "beyond validity: the dent is deeper than the block" : nullptr;
+    if (state_.dent <= state_.room) return nullptr;
+    return setup_.layers.size() > 1 ? "beyond validity: the dent is deeper than the layer"
+                                    : "beyond validity: the dent is deeper than the block";
 }
 
 }    // namespace stylet::half_space

@@ -18,8 +18,9 @@ namespace stylet::half_space {
 /// the full space that an embedded disc would.
 ///
 /// Source: Mindlin 1936; Selvadurai 1976 for the disc. Validity: small strain, quasi-static, one Poisson ratio. Layers act by
-/// their local modulus, a named approximation: exact for one layer, positive definite for any, blind to what lies between two
-/// points. The block's sides and bottom are not felt: `extent` only says where the answer stops being vouched for.
+/// their local modulus, blended over four radii at an interface, a named approximation: exact for one layer, positive definite
+/// for any, blind to what lies between two points; a tip that crosses into a stiffer layer loses part of its dent and surges
+/// ahead. The block's sides and bottom are not felt: `extent` only says where the answer stops being vouched for.
 class HalfSpace final : public TissueModel {
 public:
     explicit HalfSpace(const Setup& setup);
@@ -49,15 +50,19 @@ private:
     struct State {
         double energy = 0.0;    // [J] ½ fᵀWf
         double dent = 0.0;      // [m] how far the tip pushes its point down
+        double room = 0.0;      // [m] how thick the tissue of the tip's modulus is
     };
 
     void place(Patch& patch, const ContactPoint& point) const;
     Matrix3 block(const Patch& i, const Patch& j) const;
     void fill(int row, int count);
     int layer_at(double depth) const;
+    double modulus_at(double depth) const;
+    double room_at(double depth) const;
 
     TissueSetup setup_;
     Kernel kernel_;
+    double radius_;                  // [m] of the needle
     std::vector<double> bottoms_;    // [m] depth of each layer's bottom
     std::vector<Patch> patches_;
     int known_ = 0;           // how many patches, from the first, the compliance is filled for

@@ -21,8 +21,8 @@ struct Books {
         contacts.points.push_back({.material = Vector3::Zero(), .span = Vector3::Zero(), .arclength = 0.2, .tip = tip});
         contacts.rows.push_back({});
         ContactRow& row = contacts.rows.back();
-        row.old_axial_force = old_force;
-        row.axial_force = force;
+        row.old_effect_force = old_force * row.frame.col(2);
+        row.effect_force = force * row.frame.col(2);
         row.advance = advance;
     }
     /// A hand that goes straight down.

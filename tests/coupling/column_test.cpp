@@ -46,19 +46,25 @@ public:
     static Pose base_at(double pushed) { return {.position = {0.0, 0.0, length - pushed}}; }
 
     void predict(double pushed, double dt) {
+        const Vector3 before = column.position(length);
         column.predict(base_at(pushed), setup_.length, dt);
         tissue.predict(dt);
         const Vector3 axis = column.tangent(length);
         ContactRow& row = contacts.rows.front();
-        row = {
-            .lateral = true, .lower = -infinity, .upper = infinity, .old_force = row.force, .old_axial_force = row.axial_force};
+        row = {.lateral = true,
+               .lower = -infinity,
+               .upper = infinity,
+               .old_force = row.force,
+               .old_effect_force = row.effect_force,
+               .old_sideways = row.sideways,
+               .old_position = before};
         row.frame.col(2) = -axis;
         row.frame.col(1) = Vector3::UnitY();
         row.frame.col(0) = Vector3::UnitY().cross(-axis);
     }
     CouplingReport solve(double pushed, double dt) {
         predict(pushed, dt);
-        return coupling.solve(column, tissue, contacts, -1, infinity, dt);
+        return coupling.solve(column, tissue, contacts, {}, infinity, dt);
     }
     void commit() {
         column.commit();
@@ -273,7 +279,7 @@ TEST(HeldShaft, LiesWhereTheTissueIsAndSticksOrSlipsByItsLimits) {
         }
         tip.lower = 0.0;
         tip.upper = rupture;
-        ASSERT_TRUE(push.coupling.solve(push.column, push.tissue, push.contacts, -1, infinity, dt).converged) << "tick " << tick;
+        ASSERT_TRUE(push.coupling.solve(push.column, push.tissue, push.contacts, {}, infinity, dt).converged) << "tick " << tick;
         const VectorX apart = push.distances();
         for (int i = 0; i < 4; ++i) {
             const ContactRow& row = push.contacts.rows[i];

