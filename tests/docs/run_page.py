@@ -4,6 +4,7 @@
     ```diff      is applied to the copy
     ```console   lines after `$ ` are run; what follows must be their output; … stands for anything
     ```sh        `make TARGET` must be a target of the Makefile (a dry run)
+    ```cpp       must compile against the sdk
 """
 
 import argparse
@@ -44,13 +45,21 @@ def run(command, folder, environment):
     return done.stdout
 
 
+def compiles(text, source):
+    """Returns what the compiler says, empty where it says nothing."""
+    includes = ["-I", source / "sdk/include", "-I", source / "sdk/contract/include", "-isystem", "/usr/include/eigen3"]
+    done = subprocess.run(["c++", "-std=c++20", "-Wall", "-Wextra", "-fsyntax-only", "-DSTYLET_PLUGIN_FILE=\"\"", *includes, "-x", "c++", "-"],
+                          input=text, text=True, capture_output=True)
+    return done.stderr
+
+
 def main():
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("page", type=pathlib.Path)
     options.add_argument("--bin", required=True)
     options.add_argument("--source", required=True, type=pathlib.Path)
     given = options.parse_args()
-    environment = dict(os.environ, PATH=given.bin + os.pathsep + os.environ["PATH"])
+    environment = dict(os.environ, PATH=os.path.abspath(given.bin) + os.pathsep + os.environ["PATH"])
     wrong = 0
     with tempfile.TemporaryDirectory() as folder:
         shutil.copytree(given.source / "scenes", pathlib.Path(folder) / "scenes")
@@ -66,6 +75,10 @@ def main():
                     if subprocess.run(["make", "-n", target], cwd=given.source, capture_output=True).returncode != 0:
                         print(f"{where}: `make {target}` is no target")
                         wrong += 1
+            elif language == "cpp":
+                if said := compiles(text, given.source):
+                    print(f"{where}: does not compile:\n{said}")
+                    wrong += 1
             elif language == "console":
                 for command, expected in commands(text):
                     found = run(command, folder, environment)
