@@ -32,8 +32,6 @@ public:
     Outcome solve(Eigen::Ref<MatrixX> a, Eigen::Ref<VectorX> b, const Eigen::Ref<const VectorX>& lower,
                   const Eigen::Ref<const VectorX>& upper, int bilateral, Eigen::Ref<VectorX> lambda);
 
-    void forget() { std::fill(places_.begin(), places_.end(), Place::free); }
-
 private:
     enum class Place : std::uint8_t { lower, free, upper };
 

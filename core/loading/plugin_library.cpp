@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <boost/dll/shared_library.hpp>
 
+#include <algorithm>
 #include <cstring>
 
 namespace stylet::core {
@@ -72,10 +73,20 @@ std::string difference(const BuildStamp& theirs) {
     return "";
 }
 
+/// Every text and every table that a declaration of this kind needs is there.
+bool complete(const Parameter& parameter) {
+    const bool texts =
+        parameter.name != nullptr && parameter.unit != nullptr && parameter.meaning != nullptr && parameter.choices != nullptr;
+    if (!texts || parameter.kind != Kind::records) return texts;
+    const bool table = parameter.fields != nullptr && parameter.field_count > 0;
+    return table && std::all_of(parameter.fields, parameter.fields + parameter.field_count, complete);
+}
+
 void check_descriptor(const Descriptor& descriptor, const std::string& type) {
-    const bool complete = descriptor.name != nullptr && descriptor.summary != nullptr && descriptor.source != nullptr &&
-                          descriptor.create != nullptr && (descriptor.parameters != nullptr || descriptor.parameter_count == 0);
-    if (!complete) throw Error(fmt::format("plugin '{}' has a descriptor with parts left out", type));
+    const bool texts = descriptor.name != nullptr && descriptor.summary != nullptr && descriptor.source != nullptr &&
+                       descriptor.create != nullptr && (descriptor.parameters != nullptr || descriptor.parameter_count == 0);
+    const bool whole = texts && std::all_of(descriptor.parameters, descriptor.parameters + descriptor.parameter_count, complete);
+    if (!whole) throw Error(fmt::format("plugin '{}' has a descriptor with parts left out", type));
     if (type != descriptor.name) {
         throw Error(fmt::format("the library {0}.so calls its plugin {1}, wanted '{0}': a library bears its plugin's name", type,
                                 quote(descriptor.name)));

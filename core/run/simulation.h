@@ -50,7 +50,6 @@ public:
     [[nodiscard]] const Sample& sample() const { return sample_; }
     [[nodiscard]] std::span<const Event> events() const { return events_.list(); }    // of the last tick
     [[nodiscard]] const Ledger& ledger() const { return ledger_; }
-    [[nodiscard]] TipState tip() const { return contacts_.tip(); }
     [[nodiscard]] bool ever_touched() const { return ever_touched_; }
     [[nodiscard]] bool ever_punctured() const { return ever_punctured_; }
     [[nodiscard]] bool faulted() const { return limiter_.faulted(); }

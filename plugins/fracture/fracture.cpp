@@ -29,7 +29,9 @@ namespace {
 constexpr Parameter parameters[] = {
     number("rupture_force", "N", positive, "force on the tip at which the surface ruptures"),
     number("toughness", "J/m^2", not_negative, "fracture energy J_c per area of crack; the tip cuts at 2 pi r J_c"),
-    optional(text("layer", "acts only in the layer of this name; left out: in every layer")),
+    optional(
+        text("layer",
+             "acts only in the layer of this name; left out: in every layer. A tip stops at a layer in which no fracture acts")),
 };
 
 }    // namespace

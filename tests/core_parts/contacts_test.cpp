@@ -161,7 +161,8 @@ TEST_F(Insertion, GainsAShaftContactEachSpacingThatBeginsWithNothing) {
         last = whole;
         (void)answer(cutting, millimetre);
         EXPECT_EQ(contacts_.shaft_contacts(), 1 + static_cast<int>(step * millimetre / spacing + rounding));
-        EXPECT_NEAR(contacts_.free_length(), length - step * millimetre + radius, rounding);    // it ends a radius inside the track
+        EXPECT_NEAR(contacts_.free_length(), length - step * millimetre + radius,
+                    rounding);    // it ends a radius inside the track
         EXPECT_NEAR(contacts_.inserted(), step * millimetre, rounding);
     }
 }

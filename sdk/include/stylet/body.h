@@ -16,10 +16,10 @@ namespace stylet {
 /// Core keeps the order of contacts from tick to tick and appends new ones, so a body may keep what it worked out for a point.
 struct ContactPoint {
     Vector3 material;    // [m] undeformed position in the tissue; of a shaft contact, where its piece of track begins
-    Vector3 span;        // [m] the covered piece of track runs from `material` to `material + span`; grows with the tip; zero for the tip
+    Vector3
+        span;    // [m] the covered piece of track runs from `material` to `material + span`; grows with the tip; zero for the tip
     double arclength;    // [m] the needle's material there, from the base
     bool tip;
-
 };
 
 using ContactPoints = std::span<const ContactPoint>;
@@ -45,8 +45,8 @@ struct StepReport {
         false;    // the linearisation just used belongs to another branch: linearise again, whatever the residual
 };
 
-/// Energies of the latest trial state [J]; `damping` and `numerical` are totals since the start. They may swing within a cycle (the
-/// trapezoid's share of a vibration), but over one they never fall.
+/// Energies of the latest trial state [J]; `damping` and `numerical` are totals since the start. They may swing within a cycle
+/// (the trapezoid's share of a vibration), but over one they never fall.
 struct EnergyReport {
     double stored = 0.0;
     double kinetic = 0.0;

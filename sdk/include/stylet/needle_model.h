@@ -19,8 +19,8 @@ public:
     static constexpr Role role = Role::needle;
 
     /// Moves the base and everything already known. `free_length` [m] runs from the base to where the shaft crosses the surface,
-    /// the whole length before puncture. `dt` [s] is zero when core solves again at the same instant, and when it tells of the free
-    /// length that a step has led to, just before commit: nothing may move then.
+    /// the whole length before puncture. `dt` [s] is zero when core solves again at the same instant, and when it tells of the
+    /// free length that a step has led to, just before commit: nothing may move then.
     virtual void predict(const Pose& base, double free_length, double dt) = 0;
 
     [[nodiscard]] virtual Vector3 position(
