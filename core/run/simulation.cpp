@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <utility>
 
 namespace stylet::core {
@@ -13,7 +14,7 @@ constexpr int most_halvings = 6;
 // A rupture runs on at rest of the hand in pieces of at most one contact spacing, so that friction acts during the jump. A piece
 // whose books don't close to this part of the peak work (a bowed needle that snaps straight within it) is taken again at a
 // quarter.
-constexpr double run_on_imbalance = 3e-6;
+constexpr double run_on_imbalance = 6e-6;
 constexpr double smallest_piece = 1.0 / 1024.0;    // of the spacing
 constexpr int most_pieces = 20000;
 constexpr double quiet = 1e-6;    // of the spacing: a tip that ran on by less has stopped
@@ -100,9 +101,11 @@ bool Simulation::step(const Pose& target, double dt, double most_advance) {
     // Slip at the mouth of the track has changed the free length: a bowed needle's energy with it, in this step's books.
     needle_.predict(target, contacts_.free_length_after(set_), 0.0);
     const bool at_rest = dt == 0.0;
-    const bool sloppy = at_rest && most_advance > smallest_piece * spacing_ &&
-                        !(std::abs(ledger_.imbalance_at_rest(set_, report.relocation, needle_, tissue_)) <=
-                          run_on_imbalance * ledger_.peak_work());
+    if (at_rest) {
+        const double allowed = std::max(run_on_imbalance * ledger_.peak_work(), std::numeric_limits<double>::min());
+        imbalance_ = std::abs(ledger_.imbalance_at_rest(set_, report.relocation, needle_, tissue_)) / allowed;
+    }
+    const bool sloppy = at_rest && most_advance > smallest_piece * spacing_ && !(imbalance_ <= 1.0);
     if (!report.converged || sloppy) {
         needle_.rollback();
         tissue_.rollback();
@@ -116,13 +119,12 @@ bool Simulation::step(const Pose& target, double dt, double most_advance) {
 bool Simulation::run_on() {
     double piece = spacing_;
     for (int i = 0; held_back_ && i < most_pieces; ++i) {
-        if (step(base_, 0.0, piece)) {
-            piece = std::min(spacing_, 2.0 * piece);
-        } else if (piece > smallest_piece * spacing_) {
-            piece *= 0.25;
-        } else {
-            break;
-        }
+        const bool taken = step(base_, 0.0, piece);
+        if (!taken && piece <= smallest_piece * spacing_) break;
+        // The imbalance goes with the square of the piece: aim a little below what is allowed.
+        const double change =
+            std::isfinite(imbalance_) ? std::clamp(0.8 / std::sqrt(std::max(imbalance_, 1e-3)), 0.25, 2.0) : 0.25;
+        piece = std::clamp(piece * (taken ? change : std::min(change, 0.5)), smallest_piece * spacing_, spacing_);
     }
     return !std::exchange(held_back_, false);
 }

@@ -87,6 +87,7 @@ private:
     double time_ = 0.0;      // [s]
     double travel_ = 0.0;    // [m]
     Pose base_;
+    double imbalance_ = 0.0;    // of the last step at rest, as a share of what is allowed
     bool held_back_ = false;    // the last step's tip had further to go at rest of the hand
     bool lost_ = false;         // the last tick found no equilibrium
     bool buckled_ = false;
