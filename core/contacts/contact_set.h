@@ -24,10 +24,13 @@ struct ContactRow {
     Vector3 old_effect_force = Vector3::Zero();    // [N] of that, what the coupling and the effects exert
     Vector3 old_sideways = Vector3::Zero();        // [N] and of all of it, what was across the needle
     double old_configurational = 0.0;              // [N] and the rest, along −axis: see Coupling
+    double old_excess = 0.0;                       // [N]
     double old_advance = 0.0;                      // [m]
     Vector3 old_position = Vector3::Zero();        // [m] of the needle's material point
 
     // Out.
+    int held = 0;                                 // +1, −1: the solve kept it from going further forward or back than it may
+    double excess = 0.0;                          // [N] of axial_force, what holding it took beyond its law
     Vector3 force = Vector3::Zero();              // [N] on the needle, all of it
     Vector3 effect_force = Vector3::Zero();       // [N]
     Vector3 sideways = Vector3::Zero();           // [N] of all of it, what is across the needle

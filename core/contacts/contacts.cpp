@@ -119,6 +119,7 @@ ContactRow Contacts::tip_row(TipState tip, const ContactPoint& point, const Need
     if (letting_go_) {
         row.lateral = false;
         row.upper = 0.0;
+        row.own_force.setZero();
     }
     tip_contact_.recall(row);
     row.old_position = tip_position_;
@@ -164,6 +165,7 @@ void Contacts::ShaftContact::take(const ContactRow& row) {
     force = row.force;
     effect_force = row.effect_force;
     sideways = row.sideways;
+    excess = row.excess;
     configurational = row.configurational;
     axial_force = row.axial_force;
     slip = row.advance;
@@ -175,6 +177,7 @@ void Contacts::ShaftContact::recall(ContactRow& row) const {
     row.old_force = force;
     row.old_effect_force = effect_force;
     row.old_sideways = sideways;
+    row.old_excess = excess;
     row.old_configurational = configurational;
     row.old_advance = slip;
 }
@@ -250,6 +253,7 @@ void Contacts::lay_shaft() {
 // The tip is out. Where a contact still carries something, one more step without it comes first.
 void Contacts::let_go() {
     letting_go_ = true;
+    way_ = 0.0;
     bool carries = !tip_contact_.force.isZero(0.0);
     for (const ShaftContact& contact : shaft_) carries = carries || !contact.force.isZero(0.0);
     if (!carries) withdraw();

@@ -7,6 +7,7 @@
 #include "core/contacts/contact_set.h"
 #include "core/contacts/track.h"
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <vector>
@@ -44,9 +45,11 @@ public:
     ContactChange absorb(const NeedleModel& needle, const TissueModel& tissue, const ContactSet& set);
 
     [[nodiscard]] TipState tip() const { return tip_; }
-    [[nodiscard]] double inserted() const { return tip_ == TipState::inside ? way_ : 0.0; }    // [m] of the tip along its track
-    [[nodiscard]] double free_length() const;                                                  // [m]
-    [[nodiscard]] double free_length_after(const ContactSet& set) const;                       // [m] once `set` is absorbed
+    [[nodiscard]] double inserted() const {
+        return tip_ == TipState::inside ? std::max(0.0, way_) : 0.0;
+    }                                                                       // [m] of the tip along its track
+    [[nodiscard]] double free_length() const;                               // [m]
+    [[nodiscard]] double free_length_after(const ContactSet& set) const;    // [m] once `set` is absorbed
     [[nodiscard]] int shaft_contacts() const { return static_cast<int>(shaft_.size()); }
     [[nodiscard]] Mouth mouth() const;
 
@@ -60,6 +63,7 @@ private:
         double configurational = 0.0;              // [N] and the rest, along −axis
         bool held = false;                         // sideways on its track
         Vector3 beside = Vector3::Zero();          // [m] how far beside it
+        double excess = 0.0;                       // [N] see ContactRow
         double axial_force = 0.0;                  // [N]
         double slip = 0.0;                         // [m] in the last step
         bool slipping = false;

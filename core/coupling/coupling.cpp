@@ -10,6 +10,7 @@ namespace {
 
 constexpr int tip = 0;
 constexpr int axial = 2;    // the frame's third column
+constexpr double infinity = std::numeric_limits<double>::infinity();
 // From a quarter of the inertia's own 1/dt², by factors of two: the closer a shift is to the least that it takes, the further the
 // step leaves an unstable branch.
 constexpr double first_shift = 0.25;
@@ -47,11 +48,11 @@ CouplingReport Coupling::solve(NeedleModel& needle, TissueModel& tissue, Contact
     const auto count = static_cast<Eigen::Index>(contacts.points.size());
     const Forces on_needle(forces_.data(), 3 * count), on_tissue(opposite_.data(), 3 * count);
     number_rows(contacts);
-    trial_.askew = committed_.askew;
+    trial_ = committed_;
     for (ContactRow& row : contacts.rows) row.configurational = 0.0;
     if (mouth.row >= 0) contacts.rows[mouth.row].configurational = mouth.grip * needle.entry_force();
     while (!report.converged && report.linearisations < most_linearisations) {
-        if (!solve_linearised(needle, tissue, contacts, most_advance, dt, report)) break;
+        if (!solve_linearised(needle, tissue, contacts, mouth, most_advance, dt, report)) break;
         const StepReport needle_step = needle.try_step(contacts.points, on_needle);
         const StepReport tissue_step = tissue.try_step(contacts.points, on_tissue);
         report.residual = std::max(needle_step.residual, tissue_step.residual);
@@ -61,24 +62,24 @@ CouplingReport Coupling::solve(NeedleModel& needle, TissueModel& tissue, Contact
     }
     for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
         ContactRow& row = contacts.rows[i];
+        report.held_back = report.held_back || row.held != 0;
         row.offset = row.frame.transpose() * (needle.held_position(contacts.points[i].arclength) - row.tissue_position);
     }
-    report.tip_held_back = tip_held_back_;
     return report;
 }
 
 // Linearises both bodies and solves their rows, with as much shift as it takes to be on a stable branch.
-bool Coupling::solve_linearised(NeedleModel& needle, TissueModel& tissue, ContactSet& contacts, double most_advance, double dt,
-                                CouplingReport& report) {
+bool Coupling::solve_linearised(NeedleModel& needle, TissueModel& tissue, ContactSet& contacts, Mouth mouth, double most_advance,
+                                double dt, CouplingReport& report) {
     shift_ = 0.0;    // anew each time: once on a stable branch, Newton's full step converges in a few
     for (int shifts = 0; shifts <= most_shifts; ++shifts) {
         const Views bodies{needle.linearise(contacts.points, shift_), tissue.linearise(contacts.points, shift_)};
         if (report.linearisations == 0 && shifts == 0) {
             report.relocation = carry_over(bodies.tissue, contacts);
-            if (!contacts.empty()) contacts.rows[tip].configurational += trial_.askew;
+            if (!contacts.empty() && contacts.rows[tip].lateral) contacts.rows[tip].configurational += trial_.askew;
         }
         assemble(bodies, contacts);
-        const BoxProblem::Outcome box = solve_box(contacts, most_advance);
+        const BoxProblem::Outcome box = solve_box(contacts, mouth, most_advance);
         if (box.solved && box.negatives == bodies.needle.negatives + bodies.tissue.negatives) {
             ++report.linearisations;
             hand_out(contacts);
@@ -94,7 +95,6 @@ bool Coupling::solve_linearised(NeedleModel& needle, TissueModel& tissue, Contac
 // Lateral rows first: they are eliminated before the boxes are looked at.
 void Coupling::number_rows(const ContactSet& contacts) {
     bilateral_ = 0;
-    tip_held_back_ = false;
     const auto count = static_cast<int>(contacts.points.size());
     for (int i = 0; i < count; ++i) {
         lateral_row_[i] = contacts.rows[i].lateral ? bilateral_ : -1;
@@ -113,8 +113,6 @@ void Coupling::assemble(const Views& bodies, const ContactSet& contacts) {
             row.frame.transpose() * (bodies.needle.free.segment<3>(3 * i) - bodies.tissue.free.segment<3>(3 * i) - row.beside);
         if (lateral >= 0) free_.segment<2>(lateral) = between.head<2>();
         free_[axial_row(i)] = between[axial] + row.gap;
-        lower_[axial_row(i)] = row.lower;
-        upper_[axial_row(i)] = row.upper;
         for (int j = 0; j <= i; ++j) {
             const Matrix3 both =
                 bodies.needle.compliance.block<3, 3>(3 * i, 3 * j) + bodies.tissue.compliance.block<3, 3>(3 * i, 3 * j);
@@ -147,30 +145,58 @@ void Coupling::add_own_forces(const Views& bodies, const ContactSet& contacts) {
     }
 }
 
-// Solves the box problem; a tip that runs further than it may in one solve is solved again with its way given and its force free.
-BoxProblem::Outcome Coupling::solve_box(const ContactSet& contacts, double most_advance) {
+// Solves the box problem; a tip or a mouth that runs further than it may in one solve is solved again with its way given and its
+// force free, and let go again where that force turns out not to be needed.
+BoxProblem::Outcome Coupling::solve_box(ContactSet& contacts, Mouth mouth, double most_advance) {
+    constexpr int most_rounds = 6;    // two rows can each be held once and let go once
+    for (ContactRow& row : contacts.rows) row.held = 0;
+    bool may_hold[2] = {true, true};
+    const bool bowed =
+        mouth.row >= 0 && contacts.rows[mouth.row].configurational > 0.0;    // only a bow drives the mouth by itself
+    BoxProblem::Outcome outcome;
+    for (int round = 0; round < most_rounds; ++round) {
+        outcome = attempt(contacts, most_advance);
+        if (!outcome.solved || contacts.empty()) return outcome;
+        const bool changed = reconsider(contacts.rows[tip], axial_row(tip), most_advance, may_hold[0]);
+        const bool mouth_changed = bowed && reconsider(contacts.rows[mouth.row], axial_row(mouth.row), most_advance, may_hold[1]);
+        if (!changed && !mouth_changed) return outcome;
+    }
+    return outcome;
+}
+
+BoxProblem::Outcome Coupling::attempt(const ContactSet& contacts, double most_advance) {
     auto work = work_.topLeftCorner(rows_, rows_);
     auto right = right_.head(rows_);
     auto lambda = lambda_.head(rows_);
-    const auto attempt = [&] {
-        if (tip_held_back_) {
-            lower_[axial_row(tip)] = contacts.rows[tip].upper;
-            upper_[axial_row(tip)] = std::numeric_limits<double>::infinity();
-        }
-        work.triangularView<Eigen::Lower>() = compliance_.topLeftCorner(rows_, rows_);
-        right = free_.head(rows_);
-        if (tip_held_back_) right[axial_row(tip)] += most_advance;
-        const BoxProblem::Outcome outcome = box_.solve(work, right, lower_.head(rows_), upper_.head(rows_), bilateral_, lambda);
-        scratch_.head(rows_).noalias() = compliance_.topLeftCorner(rows_, rows_).selfadjointView<Eigen::Lower>() * lambda;
-        return outcome;
-    };
-    BoxProblem::Outcome outcome = attempt();
-    if (outcome.solved && !contacts.empty() && !tip_held_back_ &&
-        -(scratch_[axial_row(tip)] + free_[axial_row(tip)]) > most_advance) {
-        tip_held_back_ = true;
-        outcome = attempt();
+    work.triangularView<Eigen::Lower>() = compliance_.topLeftCorner(rows_, rows_);
+    right = free_.head(rows_);
+    for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
+        const ContactRow& row = contacts.rows[i];
+        const int along = axial_row(static_cast<int>(i));
+        lower_[along] = row.held > 0 ? row.upper : row.held < 0 ? -infinity : row.lower;
+        upper_[along] = row.held > 0 ? infinity : row.held < 0 ? row.lower : row.upper;
+        if (row.held != 0) right[along] += row.held * most_advance - row.gap;
     }
+    const BoxProblem::Outcome outcome = box_.solve(work, right, lower_.head(rows_), upper_.head(rows_), bilateral_, lambda);
+    scratch_.head(rows_).noalias() = compliance_.topLeftCorner(rows_, rows_).selfadjointView<Eigen::Lower>() * lambda;
     return outcome;
+}
+
+// Returns whether the row's state changed. A row that was let go once is not held again in the same solve.
+bool Coupling::reconsider(ContactRow& row, int along, double most_advance, bool& may_hold) {
+    const double advance = row.gap - (scratch_[along] + free_[along]);
+    if (row.held == 0) {
+        if (!may_hold || std::abs(advance) <= most_advance * (1.0 + 1e-9)) return false;
+        const int way = advance > 0.0 ? 1 : -1;
+        if (!std::isfinite(way > 0 ? row.upper : row.lower)) return false;
+        row.held = way;
+        return true;
+    }
+    const bool needed = row.held > 0 ? lambda_[along] > row.upper : lambda_[along] < row.lower;
+    if (needed) return false;
+    row.held = 0;
+    may_hold = false;
+    return true;
 }
 
 // λ → each contact's force and advance. A stuck contact advances by nothing at all: rounding must not creep.
@@ -179,10 +205,10 @@ void Coupling::hand_out(ContactSet& contacts) {
         ContactRow& row = contacts.rows[i];
         const int along = axial_row(static_cast<int>(i)), across = lateral_row_[i];
         const auto at = 3 * static_cast<Eigen::Index>(i);
-        const bool held_back = i == tip && tip_held_back_;
-        const bool stuck = !held_back && lambda_[along] > lower_[along] && lambda_[along] < upper_[along];
+        const bool stuck = row.held == 0 && lambda_[along] > lower_[along] && lambda_[along] < upper_[along];
         row.axial_force = lambda_[along];
         row.advance = row.gap - (stuck ? 0.0 : scratch_[along] + free_[along]);
+        row.excess = row.held == 0 ? 0.0 : lambda_[along] - (row.held > 0 ? row.upper : row.lower);
         Vector3 local(0.0, 0.0, lambda_[along]);
         if (across >= 0) local.head<2>() = lambda_.segment<2>(across);
         row.effect_force = row.frame * local + row.own_force;
@@ -216,19 +242,26 @@ double Coupling::carry_over(const Linearisation& tissue, ContactSet& contacts) {
 }
 
 // The energy that the sideways forces have gained on the tip's last way, over that way: at constant force what their relocation
-// added to the tissue, and what it seems to have moved the needle against them.
+// added to the tissue, and what it seems to have moved the needle against them. Short ways are added up: their quotient is
+// rounding.
 double Coupling::askew_force(const Linearisation& tissue, const ContactSet& contacts) {
-    constexpr double shortest_way = 1e-7;    // [m] below it the quotient is rounding, and the last answer stands
-    const double way = contacts.rows[tip].old_advance;
-    if (std::abs(way) < shortest_way) return committed_.askew;
+    constexpr double shortest_way = 1e-7;                              // [m]
+    const double steepest = contacts.rows[tip].old_sideways.norm();    // a track that lies askew by 45°
     double gained = -committed_.sideways_energy;
     for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
         const ContactRow& row = contacts.rows[i];
         sideways_.segment<3>(3 * static_cast<Eigen::Index>(i)) = row.old_sideways;
         gained += row.old_sideways.dot(row.frame * row.carried_over + row.beside);
     }
-    const double steepest = contacts.rows[tip].old_sideways.norm();    // a track that lies askew by 45°
-    return std::clamp((gained + energy_of(tissue, sideways_)) / way, -steepest, steepest);
+    trial_.gained += gained + energy_of(tissue, sideways_);
+    trial_.way += contacts.rows[tip].old_advance;
+    double force = committed_.askew;
+    if (std::abs(trial_.way) >= shortest_way) {
+        force = trial_.gained / trial_.way;
+        trial_.gained = 0.0;
+        trial_.way = 0.0;
+    }
+    return std::clamp(force, -steepest, steepest);
 }
 
 // ½ fᵀWf; leaves Wf in scratch_.

@@ -12,9 +12,9 @@ namespace stylet::core {
 struct CouplingReport {
     bool converged = false;
     int linearisations = 0;
-    double residual = 0.0;         // [N]
-    bool tip_held_back = false;    // the tip would have advanced further than allowed
-    double relocation = 0.0;       // [J] by which moving the old forces to the new contact points changed the tissue's energy
+    double residual = 0.0;      // [N]
+    bool held_back = false;     // the tip or the mouth would have gone further than allowed
+    double relocation = 0.0;    // [J] by which moving the old forces to the new contact points changed the tissue's energy
 };
 
 /// Brings needle and tissue together: finds the contact forces λ of one step.
@@ -39,7 +39,7 @@ public:
 
     Coupling();
 
-    /// `most_advance` [m] bounds the tip's way in one solve.
+    /// `most_advance` [m] bounds the way of the tip and of the mouth past the tissue in one solve, forward and back.
     CouplingReport solve(NeedleModel& needle, TissueModel& tissue, ContactSet& contacts, Mouth mouth, double most_advance,
                          double dt);
 
@@ -55,13 +55,17 @@ private:
         double energy = 0.0;             // [J] ½ fᵀWf of the tissue
         double sideways_energy = 0.0;    // [J] the same of the lateral forces alone
         double askew = 0.0;              // [N] configurational force on the tip
+        double gained = 0.0;             // [J] not yet part of `askew`, and over which way [m]
+        double way = 0.0;
     };
-    bool solve_linearised(NeedleModel& needle, TissueModel& tissue, ContactSet& contacts, double most_advance, double dt,
-                          CouplingReport& report);
+    bool solve_linearised(NeedleModel& needle, TissueModel& tissue, ContactSet& contacts, Mouth mouth, double most_advance,
+                          double dt, CouplingReport& report);
     void number_rows(const ContactSet& contacts);
     void assemble(const Views& bodies, const ContactSet& contacts);
     void add_own_forces(const Views& bodies, const ContactSet& contacts);
-    BoxProblem::Outcome solve_box(const ContactSet& contacts, double most_advance);
+    BoxProblem::Outcome solve_box(ContactSet& contacts, Mouth mouth, double most_advance);
+    BoxProblem::Outcome attempt(const ContactSet& contacts, double most_advance);
+    bool reconsider(ContactRow& row, int along, double most_advance, bool& may_hold);
     void hand_out(ContactSet& contacts);
     double carry_over(const Linearisation& tissue, ContactSet& contacts);
     double askew_force(const Linearisation& tissue, const ContactSet& contacts);
@@ -81,7 +85,6 @@ private:
     VectorX sideways_;                  // 3n, the lateral part of forces_, [N]
     VectorX scratch_;                   // 3n, [m]
     double shift_ = 0.0;                // [1/s²] τ of this solve
-    bool tip_held_back_ = false;
     Memory trial_, committed_;
 };
 

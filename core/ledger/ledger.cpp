@@ -49,7 +49,7 @@ EnergyReport both(const NeedleModel& needle, const TissueModel& tissue) {
 void Ledger::open(const NeedleModel& needle, const TissueModel& tissue) {
     opening_ = both(needle, tissue);
     balance_ = {};
-    peak_work_ = 0.0;
+    peak_work_ = std::abs(opening_.stored);    // what there is to lose
     peak_residual_ = 0.0;
 }
 
@@ -66,7 +66,9 @@ void Ledger::close(const HandStep& hand, const ContactSet& contacts, double relo
     balance_.hand_work += hand_work(hand);
     for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
         const double work = slip_work(contacts.rows[i]);
-        (contacts.points[i].tip ? balance_.burst : balance_.friction) += work;
+        const double surplus = 0.5 * (contacts.rows[i].old_excess + contacts.rows[i].excess) * contacts.rows[i].advance;
+        balance_.burst += contacts.points[i].tip ? work : surplus;
+        if (!contacts.points[i].tip) balance_.friction += work - surplus;
     }
     balance_.burst -= fracture;
     balance_.fracture += fracture;
@@ -76,7 +78,7 @@ void Ledger::close(const HandStep& hand, const ContactSet& contacts, double relo
     balance_.kinetic = now.kinetic;
     balance_.damping = now.damping;
     balance_.numerical = now.numerical;
-    peak_work_ = std::max(peak_work_, std::abs(balance_.hand_work));
+    peak_work_ = std::max({peak_work_, std::abs(balance_.hand_work), std::abs(balance_.stored)});
     peak_residual_ = std::max(peak_residual_, std::abs(balance_.residual()));
 }
 

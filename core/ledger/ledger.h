@@ -39,7 +39,7 @@ struct HandStep {
 /// fracture is burst. `released` is what moving a contact's point through the tissue frees: −ΔE − Σ ½(fₙ + fₙ₊₁)·(carried over),
 /// less what the tip's configurational force has paid for, and what a contact gives up sideways when it lets go. It also takes
 /// back what a growing piece of shaft counts as slip too much, because its middle moves: there it is negative. Friction alone
-/// depends on the contact spacing by that much; the two together don't.
+/// depends on the contact spacing by that much; the two together hardly do.
 class Ledger {
 public:
     /// Opens the books: whatever the bodies store now (a tip that begins in the tissue) is where the balance starts from.
@@ -54,7 +54,7 @@ public:
                                            const TissueModel& tissue) const;
 
     [[nodiscard]] const Balance& balance() const { return balance_; }
-    [[nodiscard]] double peak_work() const { return peak_work_; }            // [J] largest |hand work| so far
+    [[nodiscard]] double peak_work() const { return peak_work_; }            // [J] largest |hand work|, or stored, so far
     [[nodiscard]] double peak_residual() const { return peak_residual_; }    // [J] largest |residual| so far
 
 private:

@@ -21,7 +21,6 @@ double duration_of(const Scene& scene, const Cast& cast) {
     const double duration = scene.run.duration.value_or(cast.device().duration());
     if (!std::isfinite(duration))
         throw Error("run.duration", "missing, wanted a time: the device's motion has no end of its own");
-    if (duration * scene.run.rate < 0.5) throw Error("run.duration", "shorter than one tick, wanted at least one");
     return duration;
 }
 

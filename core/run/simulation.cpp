@@ -25,6 +25,8 @@ Pose between(const Pose& a, const Pose& b, double fraction) {
 
 // [m] No hand is further from the tissue: a number that large is a device gone wrong, and its square would overflow.
 constexpr double farthest = 1e3;
+// A needle that begins in the tissue is brought in in this many moves, each halved as any other that is too far.
+constexpr int steps_in = 64;
 
 bool makes_sense(const Pose& pose) {
     return pose.finite() && pose.position.cwiseAbs().maxCoeff() < farthest;
@@ -42,11 +44,10 @@ Simulation::Simulation(const Scene& scene, const Cast& cast)
       effects_(cast.effects()),
       contacts_(setup_.length, setup_.radius, spacing_),
       limiter_(cast.device().limits(), scene.force_limit) {
-    if (const Pose first = device_.pose(0.0); makes_sense(first)) {
-        base_ = first;
-        lost_ = !step(base_, dt_, spacing_);
-    } else {
-        fault("fault: the device's pose is not finite");
+    try {
+        begin(device_.pose(0.0));
+    } catch (...) {
+        fault("fault: a plugin threw an exception");
     }
     ledger_.open(needle_, tissue_);
     sample_.depth = tissue_.locate(needle_.position(setup_.length)).depth;
@@ -54,15 +55,36 @@ Simulation::Simulation(const Scene& scene, const Cast& cast)
     sample_.critical_load = needle_.state().critical_load;
 }
 
+// A tip that begins in the tissue is brought there the way it would have come, before the books are opened.
+void Simulation::begin(const Pose& first) {
+    if (!makes_sense(first)) {
+        fault("fault: the device's pose is not finite");
+        return;
+    }
+    base_ = first;
+    needle_.predict(first, setup_.length, dt_);
+    if (tissue_.locate(needle_.held_position(setup_.length)).layer != outside) {
+        base_.position -= setup_.length * first.axis();
+        travel_ = -setup_.length;
+    }
+    lost_ = !step(base_, dt_, spacing_);
+    for (int i = 1; i <= steps_in && !lost_ && base_.position != first.position; ++i) {
+        lost_ = !move_to(between(base_, first, 1.0 / (steps_in + 1 - i)), dt_, 0);
+    }
+    travel_ = 0.0;
+    if (lost_) raise("not converged");
+}
+
 void Simulation::tick() {
     if (ticks_ > 0) events_.clear();    // what the very first contact at rest brought belongs to the first tick
     time_ = static_cast<double>(++ticks_) * dt_;
+    sample_.time = time_;
     try {    // a plugin may not throw here, but if it does the hand must not feel it
         follow(device_.pose(time_));
-    } catch (const std::exception&) {
+        write_to_device();
+    } catch (...) {
         fault("fault: a plugin threw an exception");
     }
-    write_to_device();
 }
 
 void Simulation::follow(const Pose& target) {
@@ -147,7 +169,7 @@ void Simulation::close(const Pose& target, const CouplingReport& report, bool at
     }
     ledger_.close(hand, set_, report.relocation, fracture, needle_, tissue_);
     const bool ran_on = at_rest && !set_.empty() && set_.rows.front().advance > quiet * spacing_;
-    held_back_ = change.punctured || report.tip_held_back || ran_on;
+    held_back_ = change.punctured || report.held_back || ran_on;
     if (change.event != nullptr) raise(change.event);
     ever_punctured_ = ever_punctured_ || change.punctured;
 }
@@ -163,9 +185,10 @@ void Simulation::announce() {
         if (at_tissue) raise("base at the tissue");
         base_at_tissue_ = at_tissue;
     }
-    const bool astray = contacts_.tip() == TipState::free && tissue_.locate(needle_.position(setup_.length)).layer != outside;
-    if (astray && !astray_) raise("in the tissue, but not through its surface");
-    astray_ = astray;
+    const bool astray =
+        contacts_.tip() == TipState::free && tissue_.locate(needle_.held_position(setup_.length)).layer != outside;
+    astray_ = astray ? astray_ + 1 : 0;    // the tick in which a tip leaves its track doesn't count
+    if (astray_ == 2) raise("in the tissue, but not through its surface");
     announce_validity(needle_.beyond_validity(), needle_beyond_);
     announce_validity(tissue_.beyond_validity(), tissue_beyond_);
 }
@@ -201,7 +224,6 @@ void Simulation::take_sample(const Pose& before, const Balance& books_before) {
     const Balance& books = ledger_.balance();
     const NeedleState state = needle_.state();
     const double moved = (base_.position - before.position).dot(before.axis());
-    sample_.time = time_;
     sample_.travel = travel_;
     sample_.depth = tissue_.locate(needle_.position(setup_.length)).depth;
     sample_.inserted = contacts_.inserted();

@@ -9,6 +9,7 @@
 #include "core/run/sample.h"
 #include "core/scene/scene.h"
 
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -24,12 +25,14 @@ struct Event {
     double critical_load = 0.0;    // [N]
 };
 
-/// The events of one tick; there is room for more than one tick can bring.
+/// The events of one tick. Where a tick brings more than there is room for, the last place takes the latest: a fault is never
+/// lost.
 class EventList {
 public:
     void clear() { count_ = 0; }
     void add(const Event& event) {
-        if (count_ < events_.size()) events_[count_++] = event;
+        count_ = std::min(count_ + 1, events_.size());
+        events_[count_ - 1] = event;
     }
     [[nodiscard]] std::span<const Event> list() const { return {events_.data(), count_}; }
 
@@ -58,6 +61,7 @@ private:
     bool move_to(const Pose& target, double dt, int halvings);
     bool step(const Pose& target, double dt, double most_advance);
     bool run_on();
+    void begin(const Pose& first);
     void follow(const Pose& target);
     void close(const Pose& target, const CouplingReport& report, bool at_rest);
     void announce();
@@ -95,7 +99,7 @@ private:
     bool ever_touched_ = false;
     bool ever_punctured_ = false;
     bool base_at_tissue_ = false;
-    bool astray_ = false;    // the tip is in the tissue, but no contact knows of it
+    int astray_ = 0;    // ticks in which the tip is in the tissue, but no contact knows of it
     const char* needle_beyond_ = nullptr;
     const char* tissue_beyond_ = nullptr;
 };

@@ -4,6 +4,10 @@
 #include "core/scene/sections.h"
 #include "core/scene/suggestion.h"
 
+#include <stylet/body.h>
+
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace stylet::core {
@@ -31,13 +35,25 @@ void read_coupling(const ValueTree& map, Reading& reading, Scene& scene) {
     const Parameters keys = read_parameters(map, "coupling", coupling_keys, reading);
     refuse_unknown_keys(map, "coupling", names_of(coupling_keys), reading);
     scene.contact_spacing = number_or_nan(keys, "contact_spacing");
+    const double closest = scene.needle_setup.length / (max_contacts - 1);    // the needle is read before
+    if (scene.contact_spacing < closest) {
+        reading.complaints.add(reading.places.at("coupling.contact_spacing"), "coupling.contact_spacing",
+                               fmt::format("found {}, wanted at least {:g} m (the needle has room for {} contacts)",
+                                           map.find("contact_spacing")->description(), closest, max_contacts - 1));
+    }
 }
 
 void read_run(const ValueTree& map, Reading& reading, Scene& scene) {
     const Parameters keys = read_parameters(map, "run", run_keys, reading);
     refuse_unknown_keys(map, "run", names_of(run_keys), reading);
     scene.run.rate = number_or_nan(keys, "rate");
-    if (keys.has("duration")) scene.run.duration = keys.number("duration");
+    if (!keys.has("duration")) return;
+    scene.run.duration = keys.number("duration");
+    if (*scene.run.duration * scene.run.rate < 0.5) {
+        reading.complaints.add(reading.places.at("run.duration"), "run.duration",
+                               fmt::format("found {}, wanted at least one tick of {:g} s (how long the run is)",
+                                           map.find("duration")->description(), scene.run.dt()));
+    }
 }
 
 void read_record(const ValueTree& list, Reading& reading, Scene& scene) {

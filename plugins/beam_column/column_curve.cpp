@@ -87,8 +87,7 @@ ColumnCurve::ColumnCurve() : step_(shortening(last_end_slope) / pieces) {
 CurvePoint ColumnCurve::at(double shortening) const {
     const Knot& last = knots_.back();
     if (const double over = shortening - pieces * step_; over >= 0.0) {
-        return {last.load + last.load_slope * over, last.load_slope,
-                last.energy + (last.load + 0.5 * last.load_slope * over) * over};
+        return {last.load + folded_slope * over, folded_slope, last.energy + (last.load + 0.5 * folded_slope * over) * over};
     }
     const int piece = std::clamp(static_cast<int>(shortening / step_), 0, pieces - 1);
     const Knot &a = knots_[piece], &b = knots_[piece + 1];
