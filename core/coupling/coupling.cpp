@@ -17,6 +17,9 @@ constexpr double first_shift = 0.25;
 constexpr double shift_growth = 2.0;
 constexpr int most_shifts = 32;    // 2³²/(4 dt²): far stiffer than any needle
 
+// Surface that springs up along a needle moves further than its tip: so much further the mouth may go in one solve.
+constexpr double mouth_share = 8.0;
+
 constexpr int most_rows = 3 * max_contacts;
 
 Vector3 sideways_of(const ContactRow& row, const Vector3& force) {
@@ -158,7 +161,8 @@ BoxProblem::Outcome Coupling::solve_box(ContactSet& contacts, Mouth mouth, doubl
         outcome = attempt(contacts, most_advance);
         if (!outcome.solved || contacts.empty()) return outcome;
         const bool changed = reconsider(contacts.rows[tip], axial_row(tip), most_advance, may_hold[0]);
-        const bool mouth_changed = bowed && reconsider(contacts.rows[mouth.row], axial_row(mouth.row), most_advance, may_hold[1]);
+        const bool mouth_changed =
+            bowed && reconsider(contacts.rows[mouth.row], axial_row(mouth.row), mouth_share * most_advance, may_hold[1]);
         if (!changed && !mouth_changed) return outcome;
     }
     return outcome;
@@ -175,7 +179,7 @@ BoxProblem::Outcome Coupling::attempt(const ContactSet& contacts, double most_ad
         const int along = axial_row(static_cast<int>(i));
         lower_[along] = row.held > 0 ? row.upper : row.held < 0 ? -infinity : row.lower;
         upper_[along] = row.held > 0 ? infinity : row.held < 0 ? row.lower : row.upper;
-        if (row.held != 0) right[along] += row.held * most_advance - row.gap;
+        if (row.held != 0) right[along] += row.held * (i == tip ? 1.0 : mouth_share) * most_advance - row.gap;
     }
     const BoxProblem::Outcome outcome = box_.solve(work, right, lower_.head(rows_), upper_.head(rows_), bilateral_, lambda);
     scratch_.head(rows_).noalias() = compliance_.topLeftCorner(rows_, rows_).selfadjointView<Eigen::Lower>() * lambda;

@@ -39,7 +39,8 @@ public:
 
     Coupling();
 
-    /// `most_advance` [m] bounds the way of the tip and of the mouth past the tissue in one solve, forward and back.
+    /// `most_advance` [m] bounds the tip's way past the tissue in one solve, forward and back; a bowed needle's at the mouth,
+    /// eight times that.
     CouplingReport solve(NeedleModel& needle, TissueModel& tissue, ContactSet& contacts, Mouth mouth, double most_advance,
                          double dt);
 
