@@ -160,9 +160,10 @@ BoxProblem::Outcome Coupling::solve_box(ContactSet& contacts, Mouth mouth, doubl
     for (int round = 0; round < most_rounds; ++round) {
         outcome = attempt(contacts, most_advance);
         if (!outcome.solved || contacts.empty()) return outcome;
-        const bool changed = reconsider(contacts.rows[tip], axial_row(tip), most_advance, may_hold[0]);
-        const bool mouth_changed =
-            bowed && reconsider(contacts.rows[mouth.row], axial_row(mouth.row), mouth_share * most_advance, may_hold[1]);
+        const double back = bowed ? most_advance : infinity;    // only a bow throws a tip back
+        const bool changed = reconsider(contacts.rows[tip], axial_row(tip), most_advance, back, may_hold[0]);
+        const bool mouth_changed = bowed && reconsider(contacts.rows[mouth.row], axial_row(mouth.row), mouth_share * most_advance,
+                                                       mouth_share * most_advance, may_hold[1]);
         if (!changed && !mouth_changed) return outcome;
     }
     return outcome;
@@ -187,10 +188,11 @@ BoxProblem::Outcome Coupling::attempt(const ContactSet& contacts, double most_ad
 }
 
 // Returns whether the row's state changed. A row that was let go once is not held again in the same solve.
-bool Coupling::reconsider(ContactRow& row, int along, double most_advance, bool& may_hold) {
+bool Coupling::reconsider(ContactRow& row, int along, double most_forward, double most_back, bool& may_hold) {
     const double advance = row.gap - (scratch_[along] + free_[along]);
     if (row.held == 0) {
-        if (!may_hold || std::abs(advance) <= most_advance * (1.0 + 1e-9)) return false;
+        const double most = advance > 0.0 ? most_forward : most_back;
+        if (!may_hold || std::abs(advance) <= most * (1.0 + 1e-9)) return false;
         const int way = advance > 0.0 ? 1 : -1;
         if (!std::isfinite(way > 0 ? row.upper : row.lower)) return false;
         row.held = way;

@@ -39,7 +39,7 @@ public:
 
     Coupling();
 
-    /// `most_advance` [m] bounds the tip's way past the tissue in one solve, forward and back; a bowed needle's at the mouth,
+    /// `most_advance` [m] bounds the tip's way past the tissue in one solve, and a bowed needle's forward and back, at the mouth
     /// eight times that.
     CouplingReport solve(NeedleModel& needle, TissueModel& tissue, ContactSet& contacts, Mouth mouth, double most_advance,
                          double dt);
@@ -66,7 +66,7 @@ private:
     void add_own_forces(const Views& bodies, const ContactSet& contacts);
     BoxProblem::Outcome solve_box(ContactSet& contacts, Mouth mouth, double most_advance);
     BoxProblem::Outcome attempt(const ContactSet& contacts, double most_advance);
-    bool reconsider(ContactRow& row, int along, double most_advance, bool& may_hold);
+    bool reconsider(ContactRow& row, int along, double most_forward, double most_back, bool& may_hold);
     void hand_out(ContactSet& contacts);
     double carry_over(const Linearisation& tissue, ContactSet& contacts);
     double askew_force(const Linearisation& tissue, const ContactSet& contacts);

@@ -16,7 +16,7 @@ constexpr int most_halvings = 6;
 // quarter.
 constexpr double run_on_imbalance = 6e-6;
 constexpr double smallest_piece = 1.0 / 1024.0;    // of the spacing
-constexpr int most_pieces = 20000;
+constexpr int most_pieces = 5000;
 constexpr double quiet = 1e-6;    // of the spacing: a tip that ran on by less has stopped
 
 Pose between(const Pose& a, const Pose& b, double fraction) {
