@@ -14,7 +14,7 @@ struct Balance {
     double kinetic = 0.0;
     double fracture = 0.0;    // what the effects say that cutting consumed
     double friction = 0.0;    // axial slip along the shaft
-    double burst = 0.0;       // work at the tip beyond what cutting consumed: the surplus of a rupture
+    double burst = 0.0;       // what a rupture has too much: work at the tip beyond cutting, and of holding the mouth back
     double released = 0.0;    // by contact points that moved on in the tissue
     double damping = 0.0;
     double numerical = 0.0;

@@ -24,7 +24,7 @@ struct BucklingReport {
 };
 
 struct LedgerReport {
-    double peak_work = 0.0;           // [J] largest amount of hand work on the way
+    double peak_work = 0.0;           // [J] largest |hand work| or stored energy on the way
     double relative = 0.0;            // largest |residual| on the way, over peak_work
     double relative_pushing = 0.0;    // the same until the first puncture
     Sample totals;
