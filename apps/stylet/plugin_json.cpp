@@ -41,9 +41,12 @@ ordered_json parameters_json(ParameterList parameters) {
 
 ordered_json described(const core::PluginLibrary& library) {
     const Descriptor& plugin = library.descriptor();
-    return {
-        {"name", plugin.name},     {"role", core::name_of(plugin.role)}, {"summary", plugin.summary},
-        {"source", plugin.source}, {"file", library.file().string()},    {"parameters", parameters_json(parameters_of(plugin))}};
+    return {{"name", plugin.name},
+            {"role", core::name_of(plugin.role)},
+            {"summary", plugin.about.summary},
+            {"source", plugin.about.source},
+            {"file", library.file().string()},
+            {"parameters", parameters_json(parameters_of(plugin))}};
 }
 
 std::string text_of(const ordered_json& json) {

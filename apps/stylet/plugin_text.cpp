@@ -73,8 +73,9 @@ std::string parameters_text(ParameterList parameters) {
 
 std::string plugin_text(const core::PluginLibrary& library) {
     const Descriptor& plugin = library.descriptor();
-    return fmt::format("{} ({}): {}\nsource: {}\nlibrary: {}\n\n{}", plugin.name, core::name_of(plugin.role), plugin.summary,
-                       plugin.source, library.file().string(), parameters_text(parameters_of(plugin)));
+    return fmt::format("{} ({}): {}\nsource: {}\nlibrary: {}\n\n{}", plugin.name, core::name_of(plugin.role),
+                       plugin.about.summary, plugin.about.source, library.file().string(),
+                       parameters_text(parameters_of(plugin)));
 }
 
 }    // namespace stylet::app

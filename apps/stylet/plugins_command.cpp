@@ -66,7 +66,7 @@ ExitCode show_all(const PluginArguments& arguments) {
     Table table({Table::Align::left, Table::Align::left, Table::Align::left});
     for (const core::PluginLibrary& library : libraries) {
         const Descriptor& plugin = library.descriptor();
-        table.add({core::name_of(plugin.role), plugin.name, plugin.summary});
+        table.add({core::name_of(plugin.role), plugin.name, plugin.about.summary});
     }
     fmt::print("{}", table.text(0));
     return ExitCode::ok;

@@ -1,6 +1,7 @@
 #include "apps/stylet/recording_file.h"
 
 #include "apps/stylet/failure.h"
+#include "core/scene/complaints.h"
 
 #include <fmt/format.h>
 
@@ -34,7 +35,7 @@ public:
     [[nodiscard]] std::string_view text() const { return line_; }
 
     [[noreturn]] void fail(const std::string& sentence) const {
-        throw Failure(ExitCode::wrong_input, fmt::format("{}:{}: {}", name_, number_, sentence));
+        throw Failure(ExitCode::wrong_input, fmt::format("{}:{}: {}", name_, number_, core::printable(sentence)));
     }
 
 private:
@@ -80,7 +81,7 @@ RecordedColumn named_column(std::string_view cell) {
 void read_header(const WholeLines& lines, Recording& recording) {
     std::string_view text = lines.text();
     constexpr std::string_view last = ",event";
-    if (!text.ends_with(last))
+    if (!text.ends_with(last) || text == last)
         lines.fail(fmt::format("found the header \"{}\", wanted columns that end in \"event\"", text.substr(0, 60)));
     text.remove_suffix(last.size());
     while (!text.empty()) recording.columns.push_back(named_column(take(text, ",")));
@@ -90,12 +91,13 @@ void read_row(const WholeLines& lines, Recording& recording) {
     std::string_view text = lines.text();
     for (RecordedColumn& column : recording.columns) {
         if (text.empty())
-            lines.fail(fmt::format("the row ends before its {}, wanted {} numbers", column.name, recording.columns.size()));
+            lines.fail(fmt::format("the row ends before its {}, wanted {} numbers", column.name.substr(0, 40),
+                                   recording.columns.size()));
         const std::string_view cell = take(text, ",");
         double value = 0.0;
         const auto [end, failed] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
         if (failed != std::errc() || end != cell.data() + cell.size()) {
-            lines.fail(fmt::format("{}: found \"{}\", wanted a number", column.name, cell.substr(0, 40)));
+            lines.fail(fmt::format("{}: found \"{}\", wanted a number", column.name.substr(0, 40), cell.substr(0, 40)));
         }
         column.values.push_back(value);
     }
@@ -111,8 +113,8 @@ const RecordedColumn& Recording::column(const std::string& name) const {
         if (column.name == name) return column;
         names.push_back(column.name);
     }
-    throw Failure(ExitCode::wrong_input,
-                  fmt::format("{}: found no column \"{}\", wanted one of: {}", file.string(), name, fmt::join(names, ", ")));
+    throw Failure(ExitCode::wrong_input, fmt::format("{}: found no column \"{}\", wanted one of: {}", file.string(), name,
+                                                     core::printable(core::list_of(names))));
 }
 
 Recording read_recording(const std::filesystem::path& file) {
@@ -124,7 +126,7 @@ Recording read_recording(const std::filesystem::path& file) {
     read_comments(lines, recording);
     read_header(lines, recording);
     while (lines.next()) read_row(lines, recording);
-    if (recording.columns.empty() || recording.columns.front().values.empty()) lines.fail("the recording holds no whole row");
+    if (recording.columns.front().values.empty()) lines.fail("the recording holds no whole row");
     return recording;
 }
 

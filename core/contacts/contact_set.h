@@ -63,6 +63,7 @@ struct ContactSet {
 
     std::vector<ContactPoint> points;
     std::vector<ContactRow> rows;
+    bool in_air = false;    // the one row is the tip of a needle that is alone: what pushes it comes from outside
 };
 
 }    // namespace stylet::core

@@ -34,6 +34,10 @@ Contacts::Contacts(double needle_length, double needle_radius, double spacing)
     shaft_.reserve(most_shaft_contacts);
 }
 
+Contacts::Contacts(const NeedleSetup& needle) : Contacts(needle.length, needle.radius, infinity) {
+    in_air_ = needle.ends;
+}
+
 // A track takes hold of a needle's direction over the first needle diameter: the free length ends at the tip at first, and from
 // there on a needle radius below the mouth. Without that a needle bowed by its rupture force would be thrown out again before it
 // is in.
@@ -65,7 +69,7 @@ void Contacts::remember(const NeedleModel& needle) {
 
 ContactLaw Contacts::law_of(const Contact& contact, Effects effects) const {
     ContactLaw law;
-    if (contact.layer == outside) return law;
+    if (contact.layer == outside && !in_air_) return law;
     for (const auto& effect : effects) effect->add_to(contact, law);
     return law;
 }
@@ -74,8 +78,13 @@ bool Contacts::finds_own_track(const Vector3& touched) const {
     return track_.begun() && (touched - track_.entry()).norm() <= radius_;
 }
 
-void Contacts::arrange(const NeedleModel& needle, const TissueModel& tissue, Effects effects, ContactSet& set) const {
+void Contacts::arrange(const NeedleModel& needle, const TissueModel& tissue, Effects effects, double time,
+                       ContactSet& set) const {
     set.clear();
+    if (in_air_) {
+        add_tip_in_air(needle, effects, time, set);
+        return;
+    }
     ContactPoint point{.material = touch_, .span = Vector3::Zero(), .arclength = length_, .tip = true};
     TipState tip = tip_;
     if (tip == TipState::free) {
@@ -93,12 +102,12 @@ void Contacts::arrange(const NeedleModel& needle, const TissueModel& tissue, Eff
     }
     if (tip == TipState::inside) point.material = track_.material(way_);
     set.points.push_back(point);
-    set.rows.push_back(tip_row(tip, point, needle, tissue, effects));
-    for (int i = 0; i < shaft_contacts(); ++i) add_shaft(i, needle, tissue, effects, set);
+    set.rows.push_back(tip_row(tip, point, needle, tissue, effects, time));
+    for (int i = 0; i < shaft_contacts(); ++i) add_shaft(i, needle, tissue, effects, time, set);
 }
 
 ContactRow Contacts::tip_row(TipState tip, const ContactPoint& point, const NeedleModel& needle, const TissueModel& tissue,
-                             Effects effects) const {
+                             Effects effects, double time) const {
     const Vector3 axis = needle.held_tangent(length_);
     const Contact contact{.tip = true,
                           .inside = tip == TipState::inside,
@@ -108,7 +117,8 @@ ContactRow Contacts::tip_row(TipState tip, const ContactPoint& point, const Need
                           .slip = tip_contact_.slip,
                           .slipping = tip_contact_.slipping,
                           .needle_radius = radius_,
-                          .axis = axis};
+                          .axis = axis,
+                          .time = time};
     const ContactLaw law = law_of(contact, effects);
     ContactRow row;
     row.frame = frame_of(axis);
@@ -126,7 +136,37 @@ ContactRow Contacts::tip_row(TipState tip, const ContactPoint& point, const Need
     return row;
 }
 
-void Contacts::add_shaft(int i, const NeedleModel& needle, const TissueModel& tissue, Effects effects, ContactSet& set) const {
+// It stands where it was: what it moves from there in a step is the way that a load on it works along.
+void Contacts::add_tip_in_air(const NeedleModel& needle, Effects effects, double time, ContactSet& set) const {
+    const ContactPoint point{
+        .material = stand_.value_or(needle.held_position(length_)), .span = Vector3::Zero(), .arclength = length_, .tip = true};
+    const Vector3 axis = needle.held_tangent(length_);
+    const Contact contact{.tip = true,
+                          .inside = false,
+                          .layer = outside,
+                          .coverage = 0.0,
+                          .axial_force = tip_contact_.axial_force,
+                          .slip = tip_contact_.slip,
+                          .slipping = tip_contact_.slipping,
+                          .needle_radius = radius_,
+                          .axis = axis,
+                          .time = time};
+    const ContactLaw law = law_of(contact, effects);
+    ContactRow row;
+    row.frame = frame_of(axis);
+    row.lateral = law.held || *in_air_ != Ends::clamped_free;
+    row.upper = law.held ? infinity : 0.0;
+    row.lower = -row.upper;
+    row.own_force = law.own_force;
+    tip_contact_.recall(row);
+    row.old_position = point.material;
+    set.points.push_back(point);
+    set.rows.push_back(row);
+    set.in_air = true;
+}
+
+void Contacts::add_shaft(int i, const NeedleModel& needle, const TissueModel& tissue, Effects effects, double time,
+                         ContactSet& set) const {
     const ShaftContact& shaft = shaft_[i];
     const ContactPoint point{.material = track_.node(i),
                              .span = track_.covered_span(i, way_),
@@ -142,7 +182,8 @@ void Contacts::add_shaft(int i, const NeedleModel& needle, const TissueModel& ti
                           .slip = shaft.slip,
                           .slipping = shaft.slipping,
                           .needle_radius = radius_,
-                          .axis = axis};
+                          .axis = axis,
+                          .time = time};
     const ContactLaw law = law_of(contact, effects);
     ContactRow row;
     row.frame = frame_of(axis);
@@ -186,6 +227,10 @@ ContactChange Contacts::absorb(const NeedleModel& needle, const TissueModel& tis
     if (set.empty()) return {};
     const ContactRow& row = set.rows.front();
     tip_contact_.take(row);
+    if (in_air_) {
+        stand_ = needle.held_position(length_);
+        return {};
+    }
     if (letting_go_) {
         withdraw();
         return {};

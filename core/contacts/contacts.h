@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,11 +37,16 @@ class Contacts {
 public:
     Contacts(double needle_length, double needle_radius, double spacing);
 
+    /// Of a needle alone in air, whose tip is its only contact: held sideways where its `ends` say so, and free along the needle
+    /// unless an effect holds it.
+    explicit Contacts(const NeedleSetup& needle);
+
     /// Notes where the needle's material points are now; called before predict.
     void remember(const NeedleModel& needle);
 
     /// Fills `set` for a step, with the bodies as predicted.
-    void arrange(const NeedleModel& needle, const TissueModel& tissue, Effects effects, ContactSet& set) const;
+    /// `time` [s] is that at the end of the step.
+    void arrange(const NeedleModel& needle, const TissueModel& tissue, Effects effects, double time, ContactSet& set) const;
 
     ContactChange absorb(const NeedleModel& needle, const TissueModel& tissue, const ContactSet& set);
 
@@ -76,8 +82,10 @@ private:
     [[nodiscard]] double free_length_with(double past_mouth) const;
     [[nodiscard]] bool finds_own_track(const Vector3& touched) const;
     ContactRow tip_row(TipState tip, const ContactPoint& point, const NeedleModel& needle, const TissueModel& tissue,
-                       Effects effects) const;
-    void add_shaft(int i, const NeedleModel& needle, const TissueModel& tissue, Effects effects, ContactSet& set) const;
+                       Effects effects, double time) const;
+    void add_tip_in_air(const NeedleModel& needle, Effects effects, double time, ContactSet& set) const;
+    void add_shaft(int i, const NeedleModel& needle, const TissueModel& tissue, Effects effects, double time,
+                   ContactSet& set) const;
     [[nodiscard]] ContactLaw law_of(const Contact& contact, Effects effects) const;
 
     ContactChange absorb_inside(const NeedleModel& needle, const TissueModel& tissue, const ContactSet& set);
@@ -85,8 +93,10 @@ private:
     void let_go();
     void withdraw();
 
-    double length_;    // [m] of the needle
-    double radius_;    // [m]
+    double length_;                   // [m] of the needle
+    double radius_;                   // [m]
+    std::optional<Ends> in_air_;      // of a needle that is alone
+    std::optional<Vector3> stand_;    // [m] where the tip of one was at the last commit
     TipState tip_ = TipState::free;
     Track track_;
     Vector3 touch_ = Vector3::Zero();           // [m] material point that the tip rests on

@@ -51,9 +51,9 @@ CouplingReport Coupling::solve(NeedleModel& needle, TissueModel& tissue, Contact
     const auto count = static_cast<Eigen::Index>(contacts.points.size());
     const Forces on_needle(forces_.data(), 3 * count), on_tissue(opposite_.data(), 3 * count);
     number_rows(contacts);
-    trial_ = committed_;
     for (ContactRow& row : contacts.rows) row.configurational = 0.0;
     if (mouth.row >= 0) contacts.rows[mouth.row].configurational = mouth.grip * needle.entry_force();
+    if (!contacts.empty() && contacts.rows[tip].lateral) contacts.rows[tip].configurational += trial_.askew;
     while (!report.converged && report.linearisations < most_linearisations) {
         if (!solve_linearised(needle, tissue, contacts, mouth, most_advance, dt, report)) break;
         const StepReport needle_step = needle.try_step(contacts.points, on_needle);
@@ -77,10 +77,6 @@ bool Coupling::solve_linearised(NeedleModel& needle, TissueModel& tissue, Contac
     shift_ = 0.0;    // anew each time: once on a stable branch, Newton's full step converges in a few
     for (int shifts = 0; shifts <= most_shifts; ++shifts) {
         const Views bodies{needle.linearise(contacts.points, shift_), tissue.linearise(contacts.points, shift_)};
-        if (report.linearisations == 0 && shifts == 0) {
-            report.relocation = carry_over(bodies.tissue, contacts);
-            if (!contacts.empty() && contacts.rows[tip].lateral) contacts.rows[tip].configurational += trial_.askew;
-        }
         assemble(bodies, contacts);
         const BoxProblem::Outcome box = solve_box(contacts, mouth, most_advance);
         if (box.solved && box.negatives == bodies.needle.negatives + bodies.tissue.negatives) {
@@ -224,27 +220,45 @@ void Coupling::hand_out(ContactSet& contacts) {
     }
 }
 
-// The tissue's energy under its own contact forces is ½ fᵀWf. Where contact points have moved, the old forces meet another W: the
-// energy they gain and the advance they seem to make there belong to the move, not to the step.
-double Coupling::carry_over(const Linearisation& tissue, ContactSet& contacts) {
+// Where contact points have moved, the old forces meet another tissue: the energy they gain and the advance they seem to make
+// there belong to the move, not to the step. A body with inertia or a memory answers for it itself: at one instant nothing
+// creeps.
+double Coupling::carry(TissueModel& tissue, ContactSet& contacts) {
+    const double before = tissue.energy().stored;
+    trial_ = committed_;
+    if (contacts.empty()) trial_ = {};
     const auto count = static_cast<Eigen::Index>(contacts.rows.size());
-    if (count == 0) {
-        trial_ = {};
-        return -committed_.energy;
+    for (Eigen::Index i = 0; i < count; ++i) {
+        forces_.segment<3>(3 * i) = contacts.rows[i].old_force;
+        opposite_.segment<3>(3 * i) = -contacts.rows[i].old_force;
     }
-    auto old_forces = forces_.head(3 * count);
-    for (Eigen::Index i = 0; i < count; ++i) old_forces.segment<3>(3 * i) = contacts.rows[i].old_force;
+    tissue.predict(0.0);
+    for (int i = 0; i < most_linearisations && !restep(tissue, contacts); ++i) {
+    }
+    return tissue.energy().stored - before;
+}
+
+// True once the tissue is in balance.
+bool Coupling::restep(TissueModel& tissue, ContactSet& contacts) {
+    const auto rows = 3 * static_cast<Eigen::Index>(contacts.points.size());
+    const Linearisation found = tissue.linearise(contacts.points, 0.0);
+    note_where_carried(found, contacts);
+    if (!contacts.empty()) trial_.askew = askew_force(found, contacts);
+    const StepReport report = tissue.try_step(contacts.points, Forces(opposite_.data(), rows));
+    return report.residual <= tolerance && !report.tangent_changed;
+}
+
+void Coupling::note_where_carried(const Linearisation& tissue, ContactSet& contacts) {
+    const auto count = static_cast<Eigen::Index>(contacts.rows.size());
+    if (count == 0) return;
     auto moved = scratch_.head(3 * count);
-    moved.noalias() = tissue.compliance.selfadjointView<Eigen::Lower>() * old_forces;
+    moved.noalias() = tissue.compliance.selfadjointView<Eigen::Lower>() * forces_.head(3 * count);
     for (Eigen::Index i = 0; i < count; ++i) {
         ContactRow& row = contacts.rows[i];
         const Vector3 misfit = row.old_position - (tissue.free.segment<3>(3 * i) - moved.segment<3>(3 * i));
         row.carried_over = -row.frame.transpose() * misfit;
         if (row.first_held) row.beside = sideways_of(row, misfit);
     }
-    const double relocation = 0.5 * old_forces.dot(moved) - committed_.energy;
-    trial_.askew = askew_force(tissue, contacts);
-    return relocation;
 }
 
 // The energy that the sideways forces have gained on the tip's last way, over that way: at constant force what their relocation
@@ -259,8 +273,8 @@ double Coupling::askew_force(const Linearisation& tissue, const ContactSet& cont
         sideways_.segment<3>(3 * static_cast<Eigen::Index>(i)) = row.old_sideways;
         gained += row.old_sideways.dot(row.frame * row.carried_over + row.beside);
     }
-    trial_.gained += gained + energy_of(tissue, sideways_);
-    trial_.way += contacts.rows[tip].old_advance;
+    trial_.gained = committed_.gained + gained + energy_of(tissue, sideways_);
+    trial_.way = committed_.way + contacts.rows[tip].old_advance;
     double force = committed_.askew;
     if (std::abs(trial_.way) >= shortest_way) {
         force = trial_.gained / trial_.way;
@@ -290,7 +304,7 @@ void Coupling::take_stock(const Linearisation& tissue, ContactSet& contacts) {
         sideways_.segment<3>(3 * static_cast<Eigen::Index>(i)) = row.sideways;
     }
     trial_.sideways_energy = energy_of(tissue, sideways_);
-    trial_.energy = energy_of(tissue, forces_);
+    (void)energy_of(tissue, forces_);
     for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
         const auto at = 3 * static_cast<Eigen::Index>(i);
         contacts.rows[i].tissue_position = tissue.free.segment<3>(at) - scratch_.segment<3>(at);

@@ -12,9 +12,8 @@ namespace stylet::core {
 struct CouplingReport {
     bool converged = false;
     int linearisations = 0;
-    double residual = 0.0;      // [N]
-    bool held_back = false;     // the tip or the mouth would have gone further than allowed
-    double relocation = 0.0;    // [J] by which moving the old forces to the new contact points changed the tissue's energy
+    double residual = 0.0;     // [N]
+    bool held_back = false;    // the tip or the mouth would have gone further than allowed
 };
 
 /// Brings needle and tissue together: finds the contact forces λ of one step.
@@ -39,6 +38,10 @@ public:
 
     Coupling();
 
+    /// Moves the old forces to the new contact points, before the tissue is predicted: a step of the tissue at the same instant,
+    /// whatever it is made of. Returns by how much that changed its stored energy [J].
+    double carry(TissueModel& tissue, ContactSet& contacts);
+
     /// `most_advance` [m] bounds the tip's way past the tissue in one solve, and a bowed needle's forward and back, at the mouth
     /// eight times that.
     CouplingReport solve(NeedleModel& needle, TissueModel& tissue, ContactSet& contacts, Mouth mouth, double most_advance,
@@ -53,8 +56,7 @@ private:
     };
     /// What the next step must know of this one.
     struct Memory {
-        double energy = 0.0;             // [J] ½ fᵀWf of the tissue
-        double sideways_energy = 0.0;    // [J] the same of the lateral forces alone
+        double sideways_energy = 0.0;    // [J] ½ fᵀWf of the tissue's lateral forces
         double askew = 0.0;              // [N] configurational force on the tip
         double gained = 0.0;             // [J] not yet part of `askew`, and over which way [m]
         double way = 0.0;
@@ -68,7 +70,8 @@ private:
     BoxProblem::Outcome attempt(const ContactSet& contacts, double most_advance);
     bool reconsider(ContactRow& row, int along, double most_forward, double most_back, bool& may_hold);
     void hand_out(ContactSet& contacts);
-    double carry_over(const Linearisation& tissue, ContactSet& contacts);
+    bool restep(TissueModel& tissue, ContactSet& contacts);
+    void note_where_carried(const Linearisation& tissue, ContactSet& contacts);
     double askew_force(const Linearisation& tissue, const ContactSet& contacts);
     double energy_of(const Linearisation& tissue, const VectorX& forces);
     void take_stock(const Linearisation& tissue, ContactSet& contacts);

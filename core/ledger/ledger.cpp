@@ -27,6 +27,7 @@ double slip_work(const ContactRow& row) {
 // aside; a tip that lies askew pays for what its sideways forces gain by moving on.
 double released(const ContactSet& contacts, double relocation) {
     double work = -relocation;
+    if (contacts.in_air) return work;
     for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
         const ContactRow& row = contacts.rows[i];
         work -= mean(row, row.old_force, row.force).dot(row.carried_over);
@@ -34,6 +35,13 @@ double released(const ContactSet& contacts, double relocation) {
         if (contacts.points[i].tip) work += 0.5 * (row.old_configurational + row.configurational) * row.advance;
     }
     return work;
+}
+
+// Of what pushes the tip of a needle that is alone: all it moves is against that.
+double end_work(const ContactSet& contacts) {
+    if (!contacts.in_air) return 0.0;
+    const ContactRow& tip = contacts.rows.front();
+    return mean(tip, tip.old_effect_force, tip.effect_force).dot(tip.offset);
 }
 
 EnergyReport both(const NeedleModel& needle, const TissueModel& tissue) {
@@ -61,34 +69,37 @@ EnergyReport Ledger::since_opening(const NeedleModel& needle, const TissueModel&
             .numerical = now.numerical - opening_.numerical};
 }
 
-void Ledger::close(const HandStep& hand, const ContactSet& contacts, double relocation, double fracture,
-                   const NeedleModel& needle, const TissueModel& tissue) {
+void Ledger::close(const HandStep& hand, const ContactSet& contacts, const StepCosts& costs, const NeedleModel& needle,
+                   const TissueModel& tissue) {
     balance_.hand_work += hand_work(hand);
-    for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
+    balance_.load_work += costs.loads + end_work(contacts);
+    for (std::size_t i = 0; i < contacts.rows.size() && !contacts.in_air; ++i) {
         const double work = slip_work(contacts.rows[i]);
         const double surplus = 0.5 * (contacts.rows[i].old_excess + contacts.rows[i].excess) * contacts.rows[i].advance;
         balance_.burst += contacts.points[i].tip ? work : surplus;
         if (!contacts.points[i].tip) balance_.friction += work - surplus;
     }
-    balance_.burst -= fracture;
-    balance_.fracture += fracture;
-    balance_.released += released(contacts, relocation);
+    balance_.burst -= costs.fracture;
+    balance_.fracture += costs.fracture;
+    balance_.released += released(contacts, costs.relocation);
     const EnergyReport now = since_opening(needle, tissue);
     balance_.stored = now.stored;
     balance_.kinetic = now.kinetic;
     balance_.damping = now.damping;
     balance_.numerical = now.numerical;
-    peak_work_ = std::max({peak_work_, std::abs(balance_.hand_work), std::abs(balance_.stored)});
+    peak_work_ = std::max({peak_work_, std::abs(balance_.hand_work + balance_.load_work), std::abs(balance_.stored)});
     peak_residual_ = std::max(peak_residual_, std::abs(balance_.residual()));
 }
 
-double Ledger::imbalance_at_rest(const ContactSet& contacts, double relocation, const NeedleModel& needle,
+double Ledger::imbalance_at_rest(const ContactSet& contacts, const StepCosts& costs, const NeedleModel& needle,
                                  const TissueModel& tissue) const {
     const EnergyReport now = since_opening(needle, tissue);
     double change = now.stored + now.kinetic + now.damping + now.numerical -
                     (balance_.stored + balance_.kinetic + balance_.damping + balance_.numerical);
-    for (const ContactRow& row : contacts.rows) change += slip_work(row);
-    return -(change + released(contacts, relocation));
+    if (!contacts.in_air) {
+        for (const ContactRow& row : contacts.rows) change += slip_work(row);
+    }
+    return costs.loads + end_work(contacts) - (change + released(contacts, costs.relocation));
 }
 
 }    // namespace stylet::core

@@ -1,5 +1,7 @@
 #include "core/loading/cast.h"
 
+#include "core/loading/absent.h"
+
 #include "core/scene/complaints.h"
 #include "core/scene/value_tree.h"
 
@@ -9,6 +11,7 @@ namespace stylet::core {
 struct Cast::Maker {
     const Scene& scene;
     const PluginFolders& folders;
+    Workers& workers;
     std::vector<PluginLibrary>& libraries;
     Complaints complaints{};
 
@@ -43,7 +46,12 @@ struct Cast::Maker {
     std::unique_ptr<Model> make(const Choice& choice, const BucklingModel* buckling) {
         try {
             const Descriptor& plugin = descriptor(choice.type, Model::role);
-            const Setup setup{choice.parameters, scene.tissue_setup, scene.needle_setup, buckling, scene.run.dt()};
+            const Setup setup{.parameters = choice.parameters,
+                              .tissue = scene.tissue_setup ? &*scene.tissue_setup : nullptr,
+                              .needle = scene.needle_setup ? &*scene.needle_setup : nullptr,
+                              .buckling = buckling,
+                              .dt = scene.run.dt(),
+                              .workers = workers};
             if (Object* object = plugin.create(setup)) return std::unique_ptr<Model>(static_cast<Model*>(object));
             complain(choice, Error("the plugin '" + choice.type + "' made nothing"));
         } catch (const Error& error) {
@@ -57,16 +65,38 @@ struct Cast::Maker {
     }
 };
 
-Cast::Cast(const Scene& scene, const PluginFolders& folders) {
-    Maker maker{.scene = scene, .folders = folders, .libraries = libraries_};
+Cast::Cast(const Scene& scene, const PluginFolders& folders, Workers& workers) {
+    Maker maker{.scene = scene, .folders = folders, .workers = workers, .libraries = libraries_};
     if (scene.buckling) buckling_ = maker.make<BucklingModel>(*scene.buckling, nullptr);
-    tissue_ = maker.make<TissueModel>(scene.tissue, nullptr);
+    tissue_ = scene.tissue ? maker.make<TissueModel>(*scene.tissue, nullptr) : std::make_unique<Air>();
     // Made without the buckling model that its scene names, a needle could only complain of what is not the scene's fault.
     const bool buckling_failed = scene.buckling && !buckling_;
-    if (!buckling_failed) needle_ = maker.make<NeedleModel>(scene.needle, buckling_.get());
+    if (!scene.needle)
+        needle_ = std::make_unique<NoNeedle>();
+    else if (!buckling_failed)
+        needle_ = maker.make<NeedleModel>(*scene.needle, buckling_.get());
     for (const Choice& effect : scene.effects) effects_.push_back(maker.make<ForceModel>(effect, nullptr));
-    device_ = maker.make<HapticDevice>(scene.device, nullptr);
+    device_ = scene.device
+                  ? maker.make<HapticDevice>(*scene.device, nullptr)
+                  : std::make_unique<StillHand>(scene.needle_setup ? scene.needle_setup->length : StillHand::out_of_the_way);
+    if (tissue_) load_patches(maker);
     maker.complaints.throw_if_any();
+}
+
+// A tissue is told of every patch at once, and refuses one at a time: each is tried alone first, so that its effect's line is
+// named.
+void Cast::load_patches(Maker& maker) {
+    for (std::size_t i = 0; i < effects_.size(); ++i) {
+        const Patch* patch = effects_[i] ? effects_[i]->patch() : nullptr;
+        if (patch == nullptr) continue;
+        try {
+            tissue_->bear({patch, 1});
+            patches_.push_back(*patch);
+        } catch (const Error& error) {
+            maker.complain(maker.scene.effects[i], error);
+        }
+    }
+    if (!patches_.empty()) tissue_->bear(patches_);
 }
 
 std::vector<std::filesystem::path> Cast::libraries() const {

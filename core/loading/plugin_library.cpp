@@ -83,7 +83,8 @@ bool complete(const Parameter& parameter) {
 }
 
 void check_descriptor(const Descriptor& descriptor, const std::string& type) {
-    const bool texts = descriptor.name != nullptr && descriptor.summary != nullptr && descriptor.source != nullptr &&
+    const bool texts = descriptor.name != nullptr && descriptor.about.summary != nullptr && descriptor.about.formula != nullptr &&
+                       descriptor.about.source != nullptr && descriptor.about.validity != nullptr &&
                        descriptor.create != nullptr && (descriptor.parameters != nullptr || descriptor.parameter_count == 0);
     const bool whole = texts && std::all_of(descriptor.parameters, descriptor.parameters + descriptor.parameter_count, complete);
     if (!whole) throw Error(fmt::format("plugin '{}' has a descriptor with parts left out", type));

@@ -8,20 +8,25 @@ namespace {
 
 constexpr std::array columns{
     Column{"time", "s", &Sample::time, "since the start"},
-    Column{"travel", "m", &Sample::travel, "way of the base along the needle since the start"},
-    Column{"depth", "m", &Sample::depth, "of the tip below the undeformed surface"},
-    Column{"inserted", "m", &Sample::inserted, "track that the tip has behind it"},
-    Column{"hand_force", "N", &Sample::hand_force, "base reaction along the needle, positive in compression"},
-    Column{"device_force", "N", &Sample::device_force, "what the limiter lets through to the hand"},
-    Column{"tip_force", "N", &Sample::tip_force, "on the tip, along the needle"},
-    Column{"friction_force", "N", &Sample::friction_force, "of all shaft contacts, along the needle"},
-    Column{"critical_load", "N", &Sample::critical_load, "of the free length"},
-    Column{"deflection", "m", &Sample::deflection, "largest distance of the needle from the straight line"},
-    Column{"free_length", "m", &Sample::free_length, "from the base to where the track takes hold of the shaft"},
-    Column{"contacts", "1", &Sample::contacts, "number of shaft contacts"},
-    Column{"energy_force", "N", &Sample::energy_force, "Eq. (7) with friction, burst, released and numerical terms"},
-    Column{"energy_force_printed", "N", &Sample::energy_force_printed, "Eq. (7) as the paper prints it"},
-    Column{"hand_work", "J", &Sample::hand_work, "work of the hand"},
+    Column{"travel", "m", &Sample::travel, "way of the base along the needle since the start", Column::Of::needle},
+    Column{"depth", "m", &Sample::depth, "of the tip below the undeformed surface", Column::Of::needle},
+    Column{"inserted", "m", &Sample::inserted, "track that the tip has behind it", Column::Of::needle},
+    Column{"hand_force", "N", &Sample::hand_force, "base reaction along the needle, positive in compression", Column::Of::needle},
+    Column{"device_force", "N", &Sample::device_force, "what the limiter lets through to the hand", Column::Of::needle},
+    Column{"tip_force", "N", &Sample::tip_force, "on the tip, along the needle", Column::Of::needle},
+    Column{"friction_force", "N", &Sample::friction_force, "of all shaft contacts, along the needle", Column::Of::needle},
+    Column{"critical_load", "N", &Sample::critical_load, "of the free length", Column::Of::needle},
+    Column{"deflection", "m", &Sample::deflection, "largest distance of the needle from the straight line", Column::Of::needle},
+    Column{"free_length", "m", &Sample::free_length, "from the base to where the track takes hold of the shaft",
+           Column::Of::needle},
+    Column{"contacts", "1", &Sample::contacts, "number of shaft contacts", Column::Of::needle},
+    Column{"patch_displacement", "m", &Sample::patch_displacement, "mean of the loaded patches, along their forces",
+           Column::Of::tissue},
+    Column{"energy_force", "N", &Sample::energy_force, "Eq. (7) with friction, burst, released and numerical terms",
+           Column::Of::needle},
+    Column{"energy_force_printed", "N", &Sample::energy_force_printed, "Eq. (7) as the paper prints it", Column::Of::needle},
+    Column{"hand_work", "J", &Sample::hand_work, "work of the hand", Column::Of::needle},
+    Column{"load_work", "J", &Sample::load_work, "work of prescribed loads"},
     Column{"stored", "J", &Sample::stored, "elastic energy of both bodies, since the start"},
     Column{"kinetic", "J", &Sample::kinetic, "kinetic energy of both bodies, since the start"},
     Column{"fracture", "J", &Sample::fracture, "consumed by new track"},
@@ -35,7 +40,7 @@ constexpr std::array columns{
 };
 
 constexpr std::string_view ledger = "ledger";
-constexpr std::size_t first_energy = 14;    // hand_work; the energies run to the end
+constexpr std::size_t first_energy = 15;    // hand_work; the energies run to the end
 static_assert(std::string_view(columns[first_energy].name) == "hand_work");
 static_assert(sizeof(Sample) == columns.size() * sizeof(double), "a number of Sample has no column");
 

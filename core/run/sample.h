@@ -22,9 +22,11 @@ struct Sample {
     double deflection = 0.0;              // [m]
     double free_length = 0.0;             // [m]
     double contacts = 0.0;                // number of shaft contacts
+    double patch_displacement = 0.0;      // [m] mean of the loaded patches, along their forces
     double energy_force = 0.0;            // [N] Eq. (7) with friction, burst, released and numerical terms
     double energy_force_printed = 0.0;    // [N] Eq. (7) as the paper prints it
     double hand_work = 0.0;               // [J] totals from here on
+    double load_work = 0.0;               // [J]
     double stored = 0.0;                  // [J]
     double kinetic = 0.0;                 // [J]
     double fracture = 0.0;                // [J]
@@ -36,12 +38,15 @@ struct Sample {
     double residual = 0.0;                // [J]
 };
 
-/// A column of a recording: its name, its unit, where it lives in a Sample, what it means.
+/// A column of a recording: its name, its unit, where it lives in a Sample, what it means, and what a scene without needle or
+/// tissue has no use for.
 struct Column {
+    enum class Of { scene, needle, tissue };
     const char* name;
     const char* unit;
     double Sample::*value;
     const char* meaning;
+    Of of = Of::scene;
 };
 
 /// Every column there is, in the order of Sample.

@@ -35,17 +35,18 @@ bool makes_sense(const Pose& pose) {
 }    // namespace
 
 Simulation::Simulation(const Scene& scene, const Cast& cast)
-    : setup_(scene.needle_setup),
+    : setup_(scene.needle_setup.value_or(NeedleSetup{})),
       dt_(scene.run.dt()),
       spacing_(scene.contact_spacing),
       tissue_(cast.tissue()),
       needle_(cast.needle()),
       device_(cast.device()),
       effects_(cast.effects()),
-      contacts_(setup_.length, setup_.radius, spacing_),
+      loads_(cast.effects(), cast.tissue()),
+      contacts_(scene.tissue || !scene.needle ? Contacts(setup_.length, setup_.radius, spacing_) : Contacts(setup_)),
       limiter_(cast.device().limits(), scene.force_limit) {
     try {
-        begin(device_.pose(0.0));
+        begin(device_.read(0.0).pose);
     } catch (...) {
         fault("fault: a plugin threw an exception");
     }
@@ -72,6 +73,7 @@ void Simulation::begin(const Pose& first) {
         lost_ = !move_to(between(base_, first, 1.0 / (steps_in + 1 - i)), dt_, 0);
     }
     travel_ = 0.0;
+    now_ = 0.0;
     if (lost_) raise("not converged");
 }
 
@@ -80,7 +82,7 @@ void Simulation::tick() {
     time_ = static_cast<double>(++ticks_) * dt_;
     sample_.time = time_;
     try {    // a plugin may not throw here, but if it does the hand must not feel it
-        follow(device_.pose(time_));
+        follow(device_.read(time_).pose);
         write_to_device();
     } catch (...) {
         fault("fault: a plugin threw an exception");
@@ -96,6 +98,7 @@ void Simulation::follow(const Pose& target) {
         const bool found = move_to(target, dt_, 0);
         if (!found && !lost_) raise("not converged");
         lost_ = !found;
+        now_ = time_;
         announce();
     }
     if (!std::isfinite(ledger_.balance().residual())) fault("fault: the energy books are not finite");
@@ -117,15 +120,18 @@ bool Simulation::move_to(const Pose& target, double dt, int halvings) {
 bool Simulation::step(const Pose& target, double dt, double most_advance) {
     contacts_.remember(needle_);
     needle_.predict(target, contacts_.free_length(), dt);
+    contacts_.arrange(needle_, tissue_, effects_, now_ + dt, set_);
+    StepCosts costs{.relocation = coupling_.carry(tissue_, set_)};
+    loads_.apply(now_ + dt);
     tissue_.predict(dt);
-    contacts_.arrange(needle_, tissue_, effects_, set_);
     const CouplingReport report = coupling_.solve(needle_, tissue_, set_, contacts_.mouth(), most_advance, dt);
     // Slip at the mouth of the track has changed the free length: a bowed needle's energy with it, in this step's books.
     needle_.predict(target, contacts_.free_length_after(set_), 0.0);
+    costs.loads = loads_.work();
     const bool at_rest = dt == 0.0;
     if (at_rest) {
         const double allowed = std::max(run_on_imbalance * ledger_.peak_work(), std::numeric_limits<double>::min());
-        imbalance_ = std::abs(ledger_.imbalance_at_rest(set_, report.relocation, needle_, tissue_)) / allowed;
+        imbalance_ = std::abs(ledger_.imbalance_at_rest(set_, costs, needle_, tissue_)) / allowed;
     }
     const bool sloppy = at_rest && most_advance > smallest_piece * spacing_ && !(imbalance_ <= 1.0);
     if (!report.converged || sloppy) {
@@ -133,7 +139,8 @@ bool Simulation::step(const Pose& target, double dt, double most_advance) {
         tissue_.rollback();
         return false;
     }
-    close(target, report, at_rest);
+    close(target, report, costs, at_rest);
+    now_ += dt;
     return true;
 }
 
@@ -151,23 +158,23 @@ bool Simulation::run_on() {
     return !std::exchange(held_back_, false);
 }
 
-void Simulation::close(const Pose& target, const CouplingReport& report, bool at_rest) {
+void Simulation::close(const Pose& target, const CouplingReport& report, StepCosts costs, bool at_rest) {
     HandStep hand{.before = base_, .after = target, .wrench_before = needle_.base_wrench(), .wrench_after = {}};
     needle_.commit();
     tissue_.commit();
     coupling_.commit();
+    loads_.commit();
     hand.wrench_after = needle_.base_wrench();
     travel_ += (target.position - base_.position).dot(base_.axis());
     base_ = target;
 
     const ContactChange change = contacts_.absorb(needle_, tissue_, set_);
-    double fracture = 0.0;
     if (change.punctured || change.cut > 0.0) {
         const Settlement settlement{
             .punctured = change.punctured, .cut = change.cut, .layer = change.layer, .needle_radius = setup_.radius};
-        for (const auto& effect : effects_) fracture += effect->settle(settlement);
+        for (const auto& effect : effects_) costs.fracture += effect->settle(settlement);
     }
-    ledger_.close(hand, set_, report.relocation, fracture, needle_, tissue_);
+    ledger_.close(hand, set_, costs, needle_, tissue_);
     const bool ran_on = at_rest && !set_.empty() && set_.rows.front().advance > quiet * spacing_;
     held_back_ = change.punctured || report.held_back || ran_on;
     if (change.event != nullptr) raise(change.event);
@@ -242,10 +249,13 @@ void Simulation::take_sample(const Pose& before, const Balance& books_before) {
     if (moved != 0.0) {    // at rest of the hand Eq. (7) says nothing: the last answer stands
         const double stored = books.stored - books_before.stored;
         const double fracture = books.fracture - books_before.fracture;
-        sample_.energy_force = (books.accounted() - books_before.accounted()) / moved;
+        sample_.energy_force =
+            (books.accounted() - books.load_work - (books_before.accounted() - books_before.load_work)) / moved;
         sample_.energy_force_printed = (stored + fracture) / moved;
     }
+    sample_loads();
     sample_.hand_work = books.hand_work;
+    sample_.load_work = books.load_work;
     sample_.stored = books.stored;
     sample_.kinetic = books.kinetic;
     sample_.fracture = books.fracture;
@@ -255,6 +265,16 @@ void Simulation::take_sample(const Pose& before, const Balance& books_before) {
     sample_.damping = books.damping;
     sample_.numerical = books.numerical;
     sample_.residual = books.residual();
+}
+
+// Where several patches are loaded: the mean of their ways along their forces, each weighed by its force.
+void Simulation::sample_loads() {
+    double force = 0.0, moment = 0.0;    // [N], [N·m]
+    for (int i = 0; i < loads_.count(); ++i) {
+        force += loads_.force(i).norm();
+        moment += loads_.force(i).dot(loads_.displacement(i));
+    }
+    sample_.patch_displacement = force > 0.0 ? moment / force : 0.0;
 }
 
 // The hand feels the opposite of what it does to the needle. Where there is no equilibrium the last force must not be held.

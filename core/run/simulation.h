@@ -5,6 +5,7 @@
 #include "core/device/force_limiter.h"
 #include "core/ledger/ledger.h"
 #include "core/loading/cast.h"
+#include "core/run/patch_loads.h"
 #include "core/run/report.h"
 #include "core/run/sample.h"
 #include "core/scene/scene.h"
@@ -53,6 +54,7 @@ public:
     [[nodiscard]] const Sample& sample() const { return sample_; }
     [[nodiscard]] std::span<const Event> events() const { return events_.list(); }    // of the last tick
     [[nodiscard]] const Ledger& ledger() const { return ledger_; }
+    [[nodiscard]] const PatchLoads& loads() const { return loads_; }
     [[nodiscard]] bool ever_touched() const { return ever_touched_; }
     [[nodiscard]] bool ever_punctured() const { return ever_punctured_; }
     [[nodiscard]] bool faulted() const { return limiter_.faulted(); }
@@ -63,21 +65,23 @@ private:
     bool run_on();
     void begin(const Pose& first);
     void follow(const Pose& target);
-    void close(const Pose& target, const CouplingReport& report, bool at_rest);
+    void close(const Pose& target, const CouplingReport& report, StepCosts costs, bool at_rest);
     void announce();
     void announce_validity(const char* beyond, const char*& announced);
     void raise(const char* name);
     void fault(const char* name);
     void take_sample(const Pose& before, const Balance& books_before);
+    void sample_loads();
     void write_to_device();
 
-    const NeedleSetup& setup_;
+    const NeedleSetup setup_;
     double dt_;         // [s]
     double spacing_;    // [m]
     TissueModel& tissue_;
     NeedleModel& needle_;
     HapticDevice& device_;
     Effects effects_;
+    PatchLoads loads_;
 
     Contacts contacts_;
     ContactSet set_;
@@ -89,6 +93,7 @@ private:
 
     std::size_t ticks_ = 0;
     double time_ = 0.0;      // [s]
+    double now_ = 0.0;       // [s] of the last commit, within the tick
     double travel_ = 0.0;    // [m]
     Pose base_;
     double imbalance_ = 0.0;    // of the last step at rest, as a share of what is allowed

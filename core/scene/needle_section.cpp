@@ -21,7 +21,7 @@ void read_needle(const ValueTree& map, Reading& reading, Scene& scene) {
     common.emplace_back("buckling");
     scene.needle = read_swappable_choice(map, "needle", Role::needle, common, reading);
     const Parameters keys = read_parameters(map, "needle", needle_keys, reading);
-    NeedleSetup& needle = scene.needle_setup;
+    NeedleSetup& needle = scene.needle_setup.emplace();
     needle.length = number_or_nan(keys, "length");
     needle.radius = number_or_nan(keys, "radius");
     needle.youngs_modulus = number_or_nan(keys, "youngs_modulus");

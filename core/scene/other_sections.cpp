@@ -35,7 +35,8 @@ void read_coupling(const ValueTree& map, Reading& reading, Scene& scene) {
     const Parameters keys = read_parameters(map, "coupling", coupling_keys, reading);
     refuse_unknown_keys(map, "coupling", names_of(coupling_keys), reading);
     scene.contact_spacing = number_or_nan(keys, "contact_spacing");
-    const double closest = scene.needle_setup.length / (max_contacts - 1);    // the needle is read before
+    if (!scene.needle_setup) return;
+    const double closest = scene.needle_setup->length / (max_contacts - 1);    // the needle is read before
     if (scene.contact_spacing < closest) {
         reading.complaints.add(reading.places.at("coupling.contact_spacing"), "coupling.contact_spacing",
                                fmt::format("found {}, wanted at least {:g} m (the needle has room for {} contacts)",

@@ -45,13 +45,13 @@ ValueTree* follow(ValueTree& from, const Step& step, const std::string& path, bo
     if (const auto* index = std::get_if<std::size_t>(&step)) {
         if (from.shape == ValueTree::Shape::list && *index < from.items.size()) return &from.items[*index];
         problem = from.shape == ValueTree::Shape::list
-                      ? fmt::format("found no item [{}], '{}' is a list of {}", *index, path, from.items.size())
-                      : fmt::format("found {} at '{}', wanted a list", from.description(), path);
+                      ? fmt::format("found no item [{}], {} is a list of {}", *index, quote(path), from.items.size())
+                      : fmt::format("found {} at {}, wanted a list", from.description(), quote(path));
         return nullptr;
     }
     const auto& key = std::get<std::string>(step);
     if (from.shape != ValueTree::Shape::map) {
-        problem = fmt::format("found {} at '{}', wanted a map", from.description(), path);
+        problem = fmt::format("found {} at {}, wanted a map", from.description(), quote(path));
         return nullptr;
     }
     if (ValueTree* found = from.find(key)) return found;
@@ -59,7 +59,7 @@ ValueTree* follow(ValueTree& from, const Step& step, const std::string& path, bo
         from.entries.push_back({key, place, {}});
         return &from.entries.back().value;
     }
-    problem = fmt::format("found no key '{}' in the scene{}", join(path, key), suggestion(key, from.keys()));
+    problem = fmt::format("found no key {} in the scene{}", quote(join(path, key)), suggestion(key, from.keys()));
     return nullptr;
 }
 

@@ -44,33 +44,58 @@ struct Section {
     const char* meaning;
     ReadSection read;
 };
-constexpr Section required_maps[] = {
+constexpr Section maps[] = {
     {"tissue", "the tissue and its layers", read_tissue},
     {"needle", "the needle", read_needle},
     {"device", "what moves the needle's base", read_device},
     {"coupling", "how needle and tissue meet", read_coupling},
     {"run", "how fast and how long", read_run},
 };
-constexpr Section optional_lists[] = {
+constexpr Section lists[] = {
     {"effects", "", read_effects},
     {"record", "", read_record},
 };
 
+/// What the sections that are there ask for, and what has no place beside those that are not.
+void check_sections(const ValueTree& root, Reading& reading) {
+    const auto has = [&](const char* key) { return root.find(key) != nullptr; };
+    const auto want = [&](const char* key, const std::string& wanted) {
+        if (!has(key)) miss_key(root, key, wanted, reading);
+    };
+    const auto refuse_beside = [&](const char* key, const std::string& sentence) {
+        if (const ValueTree* section = root.find(key)) reading.complaints.add(section->place, key, sentence);
+    };
+    const bool tissue = has("tissue"), needle = has("needle");
+    want("run", "a map (how fast and how long)");
+    if (!tissue && !needle) {
+        want("tissue", "a map (the tissue and its layers), or a needle, or both");
+    } else if (tissue && needle) {
+        want("device", "a map (what moves the needle's base)");
+        want("coupling", "a map (how needle and tissue meet)");
+    } else if (needle) {
+        refuse_beside("coupling", "found a coupling, wanted none: there is no 'tissue' for the needle to meet");
+    } else {
+        refuse_beside("coupling", "found a coupling, wanted none: there is no 'needle' for the tissue to meet");
+        refuse_beside("device", "found a device, wanted none: there is no 'needle' for it to hold");
+    }
+    const ValueTree* run = root.find("run");
+    if (run != nullptr && run->shape == ValueTree::Shape::map && (tissue || needle) && !has("device") && !run->find("duration")) {
+        miss_key(*run, "run.duration", "a time in s such as '2 s' (without a device the scene has no end of its own)", reading);
+    }
+}
+
 void read_sections(const ValueTree& root, Reading& reading, Scene& scene) {
     std::vector<std::string> known{"stylet", "title"};
-    for (const auto& [key, meaning, read] : required_maps) {
+    for (const auto& [key, meaning, read] : maps) {
         known.emplace_back(key);
         const ValueTree* map = root.find(key);
-        if (map == nullptr) {
-            miss_key(root, key, fmt::format("a map ({})", meaning), reading);
-        } else if (is_map(*map, key, meaning, reading)) {
-            read(*map, reading, scene);
-        }
+        if (map != nullptr && is_map(*map, key, meaning, reading)) read(*map, reading, scene);
     }
-    for (const Section& section : optional_lists) {
+    for (const Section& section : lists) {
         known.emplace_back(section.key);
         if (const ValueTree* list = root.find(section.key)) section.read(*list, reading, scene);
     }
+    check_sections(root, reading);
     refuse_unknown_keys(root, "", known, reading);
 }
 
@@ -102,7 +127,10 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<Override>&
     read_sections(root, reading, scene);
     reading.complaints.throw_if_any();
     if (scene.record.empty()) {
-        for (const Column& column : all_columns()) scene.record.emplace_back(column.name);
+        for (const Column& column : all_columns()) {
+            const bool there = column.of == Column::Of::scene || (column.of == Column::Of::needle ? scene.needle : scene.tissue);
+            if (there) scene.record.emplace_back(column.name);
+        }
     }
     scene.places = std::move(reading.places);
     try {

@@ -4,6 +4,7 @@
 #include <stylet/setup.h>
 
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -38,16 +39,17 @@ struct Scene {
     std::string title;
     std::string hash;    // SHA-1 of the scene's text with its overrides and of every file that it names
 
-    Choice tissue;
-    TissueSetup tissue_setup;
-    Choice needle;
-    NeedleSetup needle_setup;
+    // What a scene doesn't name is not there: a tissue alone, or a needle alone in air, is a scene too.
+    std::optional<Choice> tissue;
+    std::optional<TissueSetup> tissue_setup;
+    std::optional<Choice> needle;
+    std::optional<NeedleSetup> needle_setup;
     std::optional<Choice> buckling;
     std::vector<Choice> effects;
-    Choice device;
+    std::optional<Choice> device;
     std::optional<double> force_limit;    // [N] lower than the device's own
 
-    double contact_spacing;    // [m]
+    double contact_spacing = std::numeric_limits<double>::infinity();    // [m] infinite where there is nothing to couple
     RunSetup run;
     std::vector<std::string>
         record;    // columns or groups of them, in the scene's order; every column where the scene names none

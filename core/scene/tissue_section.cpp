@@ -71,7 +71,7 @@ void stack(std::vector<Layer>& layers, double height, Reading& reading) {
 void read_tissue(const ValueTree& map, Reading& reading, Scene& scene) {
     scene.tissue = read_swappable_choice(map, "tissue", Role::tissue, names_of(tissue_keys), reading);
     const Parameters keys = read_parameters(map, "tissue", tissue_keys, reading);
-    TissueSetup& tissue = scene.tissue_setup;
+    TissueSetup& tissue = scene.tissue_setup.emplace();
     if (keys.has("extent")) tissue.extent = keys.vector3("extent");
     if (keys.has("fixed")) tissue.fixed = keys.text("fixed");
     if (!keys.has("layers")) return;

@@ -31,7 +31,10 @@ double abscissa(double arc, double a) {
 }    // namespace
 
 BeamColumn::BeamColumn(const Setup& setup)
-    : needle_(setup.needle), buckling_(setup.buckling), free_(3 * max_contacts), compliance_(3 * max_contacts, 3 * max_contacts) {
+    : needle_(*setup.needle),
+      buckling_(setup.buckling),
+      free_(3 * max_contacts),
+      compliance_(3 * max_contacts, 3 * max_contacts) {
     set_free_length(needle_.length);
     state_ = trial_;
 }
@@ -169,6 +172,15 @@ void BeamColumn::centreline(std::span<Vector3> points) const {
 
 }    // namespace stylet::beam_column
 
-STYLET_PLUGIN_WITHOUT_PARAMETERS(stylet::beam_column::BeamColumn, "beam_column",
-                                 "The paper's needle: straight up to its critical load, then a half sine; no limit load",
-                                 "He, Chen, Tang, Eqs. (4) and (5); Bigoni et al. 2015 for the force at the track's mouth")
+STYLET_PLUGIN(
+    stylet::beam_column::BeamColumn, "beam_column", stylet::no_parameters,
+    .summary = "The paper's needle: straight up to its critical load, then a half sine; no limit load",
+    .formula =
+        "d = 0 and N <= P_cr(L), or d > 0 and N = P_cr(L) f(d/L)\n"
+        "d: shortening of the free length L [m]; N: compression [N]; f: Eqs. (4) and (5)",
+    .source =
+        "He, Chen and Tang, section II.D, Eqs. (4) and (5); Bigoni et al. 2015 for the force at the track's mouth. "
+        "Deviation: the stored energy is the integral of F over d, not the sine's bending energy",
+    .validity =
+        "End slope up to 45 degrees, said when passed. Without `buckling` it never buckles. Leaves out a limit load, bending "
+        "by lateral forces, inertia")

@@ -37,5 +37,15 @@ constexpr Parameter parameters[] = {
 }    // namespace
 }    // namespace stylet::fracture
 
-STYLET_PLUGIN(stylet::fracture::Fracture, "fracture", "Rupture of the surface, then fracture energy for every length cut",
-              "He, Chen and Tang, section III, Eq. (7); Gokgol, Basdogan and Canadinc 2012", stylet::fracture::parameters)
+STYLET_PLUGIN(
+    stylet::fracture::Fracture, "fracture", stylet::fracture::parameters,
+    .summary = "Rupture of the surface, then fracture energy for every length cut",
+    .formula =
+        "outside: the tip carries up to F_r; inside: up to F_c = 2 pi r J_c, and cuts at it\n"
+        "energy of a cut of length l: 2 pi r J_c l",
+    .source =
+        "He, Chen and Tang, section III, Eq. (7); Gokgol, Basdogan and Canadinc 2012 for J_c of bovine liver. Deviation: the "
+        "energy enters as the limit of the tip's force; core's ledger closes the balance",
+    .validity =
+        "A sharp tip whose crack is as long as the needle's circumference. Leaves out rate dependence, the shape of the tip, "
+        "and rupture at the layers below the surface")

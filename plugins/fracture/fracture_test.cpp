@@ -39,7 +39,8 @@ Contact tip(bool inside, int layer = 0) {
             .slip = 0.0,
             .slipping = false,
             .needle_radius = 0.3e-3,
-            .axis = Vector3(0.0, 0.0, -1.0)};
+            .axis = Vector3(0.0, 0.0, -1.0),
+            .time = 0.0};
 }
 
 ContactLaw law(const Case& with, const Contact& contact) {

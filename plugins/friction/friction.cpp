@@ -34,6 +34,10 @@ constexpr Parameter parameters[] = {
 }    // namespace
 }    // namespace stylet::friction
 
-STYLET_PLUGIN(stylet::friction::Friction, "friction", "Dry friction along the shaft, per covered length",
-              "Okamura, Simone and O'Leary 2004, the Karnopp model's static and dynamic Coulomb terms",
-              stylet::friction::parameters)
+STYLET_PLUGIN(stylet::friction::Friction, "friction", stylet::friction::parameters,
+              .summary = "Dry friction along the shaft, per covered length",
+              .formula = "|F| <= f_s l while it sticks, |F| = f l while it slips; l: covered length of shaft [m]",
+              .source =
+                  "Okamura, Simone and O'Leary 2004, the static and dynamic Coulomb terms of the Karnopp model. Deviation: it "
+                  "sticks exactly, by the coupling, not within a band of speeds",
+              .validity = "Dry sliding, the same both ways. Leaves out damping and any dependence on speed or pressure")

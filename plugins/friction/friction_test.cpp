@@ -28,7 +28,8 @@ Contact shaft(double coverage, bool slipping, int layer = 0) {
             .slip = 0.0,
             .slipping = slipping,
             .needle_radius = 0.3e-3,
-            .axis = Vector3(0.0, 0.0, -1.0)};
+            .axis = Vector3(0.0, 0.0, -1.0),
+            .time = 0.0};
 }
 
 double limit(const Case& with, const Contact& contact) {

@@ -38,9 +38,9 @@ bool same_tissue(const ContactPoint& a, const ContactPoint& b) {
 }    // namespace
 
 HalfSpace::HalfSpace(const Setup& setup)
-    : setup_(setup.tissue),
-      kernel_(common_poisson_ratio(setup.tissue), setup.needle.radius),
-      radius_(setup.needle.radius),
+    : setup_(*setup.tissue),
+      kernel_(common_poisson_ratio(*setup.tissue), setup.needle->radius),
+      radius_(setup.needle->radius),
       patches_(max_contacts),
       free_(3 * max_contacts),
       compliance_(MatrixX::Zero(3 * max_contacts + column_padding, 3 * max_contacts)),
@@ -115,6 +115,10 @@ StepReport HalfSpace::try_step(ContactPoints points, Forces forces) {
     return {};
 }
 
+Vector3 HalfSpace::displacement(const Vector3&) const {
+    return Vector3::Zero();
+}
+
 // Geometric blend over a few radii on either side of each interface: a tip that crosses one feels it come.
 double HalfSpace::modulus_at(double depth) const {
     const double half_width = interface_radii * radius_;
@@ -164,6 +168,16 @@ const char* HalfSpace::beyond_validity() const {
 
 }    // namespace stylet::half_space
 
-STYLET_PLUGIN_WITHOUT_PARAMETERS(stylet::half_space::HalfSpace, "half_space",
-                                 "The cheapest honest tissue: an elastic half-space, no mesh",
-                                 "Mindlin 1936, blurred to the needle's radius; Selvadurai 1976")
+STYLET_PLUGIN(
+    stylet::half_space::HalfSpace, "half_space", stylet::no_parameters,
+    .summary = "The cheapest honest tissue: an elastic half-space, no mesh",
+    .formula =
+        "u_i = sum_j W_ij f_j\n"
+        "W_ij = mean over both pieces of track of K(x, y) / sqrt(E_i E_j)\n"
+        "K: Mindlin's point load, blurred to the needle's radius a; on the surface (1 - nu^2)/(2 a E)",
+    .source =
+        "Mindlin 1936; Selvadurai 1976 for the disc. Deviation: the blur, and at any depth the tip keeps at least the "
+        "compliance of a punch on the surface, because the track behind it is open",
+    .validity =
+        "Small strain, quasi-static, one Poisson's ratio. Layers act by their local modulus: exact for one layer, blind "
+        "to what lies between two points. Sides and bottom of the block are not felt")

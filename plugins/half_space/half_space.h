@@ -32,6 +32,7 @@ public:
     void rollback() override { trial_ = state_; }
     EnergyReport energy() const override { return {.stored = trial_.energy}; }
 
+    Vector3 displacement(const Vector3& material) const override;
     Location locate(const Vector3& material) const override;
     double entry(const Vector3& from, const Vector3& to) const override;
     const char* beyond_validity() const override;

@@ -16,13 +16,19 @@ constexpr double unit_tolerance = 1e-3;    // a quaternion written with four dig
     throw Error("file", "line " + std::to_string(line) + ": " + message);
 }
 
+/// The file's own words as a sentence shows them.
+std::string quoted(std::string_view words) {
+    constexpr std::size_t longest = 60;    // [bytes] a file that is no recording may have a line of any length
+    return "\"" + std::string(words.substr(0, longest)) + (words.size() > longest ? "…\"" : "\"");
+}
+
 double read_number(std::string_view cell, int line) {
     while (!cell.empty() && cell.front() == ' ') cell.remove_prefix(1);
     while (!cell.empty() && cell.back() == ' ') cell.remove_suffix(1);
     double value = 0.0;
     const auto [end, problem] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     if (problem != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
-        refuse(line, "found \"" + std::string(cell) + "\", wanted a finite number");
+        refuse(line, "found " + quoted(cell) + ", wanted a finite number");
     }
     return value;
 }
@@ -66,8 +72,8 @@ std::vector<RecordedHand::Key> read_pose_file(const std::string& path) {
     while (next_line() && text.starts_with('#')) {
     }
     if (text != header) {
-        refuse(line, "found " + (text.empty() ? "nothing" : "\"" + text + "\"") + ", wanted the header \"" + std::string(header) +
-                         "\"");
+        refuse(line,
+               "found " + (text.empty() ? "nothing" : quoted(text)) + ", wanted the header \"" + std::string(header) + "\"");
     }
     std::vector<RecordedHand::Key> keys;
     while (next_line()) {

@@ -66,7 +66,7 @@ std::vector<RecordedHand::Key> read_keys(const Setup& setup) {
     const Parameters& parameters = setup.parameters;
     if (parameters.has("file") && parameters.has("motion"))
         throw Error("motion", "found both file and motion, wanted exactly one of them");
-    if (parameters.has("motion")) return keys_of_motion(parameters, setup.needle.length);
+    if (parameters.has("motion")) return keys_of_motion(parameters, setup.needle->length);
     if (!parameters.has("file")) throw Error("found neither file nor motion, wanted exactly one of them");
     for (const char* key : {"tip_start", "direction", "cycles"}) {
         if (parameters.has(key)) throw Error(key, "belongs to a motion, and this hand follows a file");
@@ -86,18 +86,20 @@ DeviceLimits RecordedHand::limits() const {
         .moment = 0.515,        // its largest torque in yaw and pitch, quoted from memory: check before it drives a motor
         .force_rate = 800.0,    // the stiffest wall it shows (0.8 N/mm) met at 1 m/s; insertions peak at 0.3 m/s
         .soft_start = 0.2,      // the time that a person needs to answer a force
+        .stale_after = 5e-3,    // five readings of a loop at 1 kHz
+        .ramp_down = 0.02,      // too fast to push with, too slow to be a kick
     };
 }
 
-Pose RecordedHand::pose(double time) {
+Reading RecordedHand::read(double time) {
     const auto after =
         std::upper_bound(keys_.begin(), keys_.end(), time, [](double wanted, const Key& key) { return wanted < key.time; });
-    if (after == keys_.begin()) return keys_.front().pose;
-    if (after == keys_.end()) return keys_.back().pose;
+    if (after == keys_.begin()) return {.pose = keys_.front().pose};
+    if (after == keys_.end()) return {.pose = keys_.back().pose};
     const Key& from = *std::prev(after);
     const double fraction = (time - from.time) / (after->time - from.time);
-    return {from.pose.position + fraction * (after->pose.position - from.pose.position),
-            from.pose.rotation.slerp(fraction, after->pose.rotation).normalized()};
+    return {.pose = {from.pose.position + fraction * (after->pose.position - from.pose.position),
+                     from.pose.rotation.slerp(fraction, after->pose.rotation).normalized()}};
 }
 
 namespace {
@@ -121,6 +123,8 @@ constexpr Parameter parameters[] = {
 }    // namespace
 }    // namespace stylet::recorded_hand
 
-STYLET_PLUGIN(stylet::recorded_hand::RecordedHand, "recorded_hand",
-              "A hand that repeats a file of poses or a motion written in the scene", "Shoemake 1985, slerp between poses",
-              stylet::recorded_hand::parameters)
+STYLET_PLUGIN(stylet::recorded_hand::RecordedHand, "recorded_hand", stylet::recorded_hand::parameters,
+              .summary = "A hand that repeats a file of poses or a motion written in the scene",
+              .formula = "x(t) = x_i + s (x_i+1 - x_i),  q(t) = slerp(q_i, q_i+1, s),  s = (t - t_i)/(t_i+1 - t_i)",
+              .source = "Shoemake 1985, slerp between poses; the limits are those of a Phantom Premium 1.5",
+              .validity = "A recording doesn't yield: what the hand would have done under another force is not known")

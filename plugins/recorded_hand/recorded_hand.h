@@ -23,7 +23,7 @@ public:
     explicit RecordedHand(const Setup& setup);
 
     DeviceLimits limits() const override;
-    Pose pose(double time) override;
+    Reading read(double time) override;
     void write(const Wrench&) override {}    // a recording does not yield; core's recorder keeps the wrench
     double duration() const override { return keys_.back().time; }
 

@@ -92,7 +92,7 @@ std::string file_refusal(const std::string& text) {
 }
 
 Vector3 tip(HapticDevice& device, double time) {
-    const Pose pose = device.pose(time);
+    const Pose pose = device.read(time).pose;
     return pose.position + contract::steel_needle().length * pose.axis();
 }
 
@@ -107,21 +107,21 @@ TEST(RecordedHand, PlaysAMotionAtTheGivenSpeeds) {
 }
 
 TEST(RecordedHand, WithoutADirectionItIsNotTurnedAtAll) {
-    EXPECT_EQ(hand(in_and_out())->pose(0.7).rotation.coeffs(), Quaternion::Identity().coeffs());
+    EXPECT_EQ(hand(in_and_out())->read(0.7).pose.rotation.coeffs(), Quaternion::Identity().coeffs());
 }
 
 TEST(RecordedHand, AimsTheNeedleAlongTheDirection) {
     const auto device = hand(oblique());
     const Vector3 direction(0.6, 0.0, -0.8);
-    EXPECT_LE((device->pose(0.5).axis() - direction).norm(), rounding);
-    EXPECT_LE((device->pose(0.5).bow_direction() - Vector3(0.8, 0.0, 0.6)).norm(), rounding) << "the shortest turn, about y";
+    EXPECT_LE((device->read(0.5).pose.axis() - direction).norm(), rounding);
+    EXPECT_LE((device->read(0.5).pose.bow_direction() - Vector3(0.8, 0.0, 0.6)).norm(), rounding) << "the shortest turn, about y";
     EXPECT_LE((tip(*device, 0.5) - Vector3(0.0, 0.0, 2e-3) - 5e-3 * direction).norm(), rounding);
 }
 
 TEST(RecordedHand, PointsUpWhenAskedTo) {
     Case with = in_and_out();
     with.parameters.set("direction", Vector3(0.0, 0.0, 1.0));
-    EXPECT_LE((hand(with)->pose(0.0).axis() - Vector3(0.0, 0.0, 1.0)).norm(), rounding);
+    EXPECT_LE((hand(with)->read(0.0).pose.axis() - Vector3(0.0, 0.0, 1.0)).norm(), rounding);
 }
 
 TEST(RecordedHand, RepeatsItsCycles) {
@@ -140,10 +140,10 @@ TEST(RecordedHand, FollowsTheExampleFile) {
 TEST(RecordedHand, TurnsEvenlyBetweenRows) {
     const auto device = hand_of("1,0,0,0,1,0,0,0\n3,0,0,0.4,0.70710678,0.70710678,0,0\n");
     constexpr double file_digits = 1e-8;    // [rad] the quaternion has eight digits
-    const Pose quarter = device->pose(1.5);
+    const Pose quarter = device->read(1.5).pose;
     EXPECT_NEAR(Eigen::AngleAxisd(Eigen::Quaterniond(quarter.rotation)).angle(), M_PI / 8.0, file_digits);
     EXPECT_NEAR(quarter.position.z(), 0.1, rounding);
-    EXPECT_EQ(device->pose(0.0).position.z(), 0.0) << "the first row counts before its time";
+    EXPECT_EQ(device->read(0.0).pose.position.z(), 0.0) << "the first row counts before its time";
 }
 
 TEST(RecordedHand, GoesItsWayWhateverItFeels) {

@@ -2,7 +2,7 @@
 
 namespace stylet::rigid {
 
-RigidNeedle::RigidNeedle(const Setup& setup) : length_(setup.needle.length) {}
+RigidNeedle::RigidNeedle(const Setup& setup) : length_(setup.needle->length) {}
 
 void RigidNeedle::predict(const Pose& base, double, double) {
     trial_.base = base;
@@ -40,5 +40,8 @@ void RigidNeedle::centreline(std::span<Vector3> points) const {
 
 }    // namespace stylet::rigid
 
-STYLET_PLUGIN_WITHOUT_PARAMETERS(stylet::rigid::RigidNeedle, "rigid", "A needle that does not deform",
-                                 "Newton's and Euler's balance of a massless rigid body")
+STYLET_PLUGIN(
+    stylet::rigid::RigidNeedle, "rigid", stylet::no_parameters, .summary = "A needle that does not deform",
+    .formula = "x(s) = base + s axis;  base wrench = -sum (f_i, (x_i - base) x f_i)",
+    .source = "Newton's and Euler's balance of a massless rigid body",
+    .validity = "Compression well below the critical load of the real needle, side forces that bend it by less than what matters")

@@ -109,10 +109,10 @@ TEST(Contract, NoticesEveryFlawOfAnEffect) {
 
 TEST(Contract, NoticesEveryFlawOfADevice) {
     expect_each_noticed<FlawedDevice>({
-        {"not unit", "PosesAreFiniteAndUnit"},
-        {"nowhere at the end", "PosesAreFiniteAndUnit"},
-        {"depends on what was asked", "ARecordedTimeHasOnePose"},
-        {"drifts on", "TheLastPoseIsHeld"},
+        {"not unit", "ReadingsAreFiniteAndUnit"},
+        {"nowhere at the end", "ReadingsAreFiniteAndUnit"},
+        {"heard of it tomorrow", "ReadingsAreFiniteAndUnit"},
+        {"differs from its twin", "TheSameLifeIsLivedTwice"},
         {"no moment limit", "LimitsArePositive"},
         {"allocates in write", "ATickAllocatesNothing"},
     });
@@ -120,7 +120,7 @@ TEST(Contract, NoticesEveryFlawOfADevice) {
 
 TEST(Contract, NoticesAPluginThatDoesNotSayWhatItIs) {
     Descriptor plugin = describe<FlawedDevice>();
-    plugin.source = "";
+    plugin.about.source = "";
     EXPECT_EQ(broken_promises(plugin, "none"), std::vector<std::string>{"SaysWhatItIs"});
     static constexpr Parameter unitless[] = {number("mass", "", positive, "of the handle")};
     plugin = describe<FlawedDevice>();

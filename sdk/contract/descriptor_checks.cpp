@@ -28,8 +28,10 @@ void check_parameter(const Parameter& parameter) {
 
 void says_what_it_is(const Descriptor& plugin, const Case&) {
     EXPECT_TRUE(says_something(plugin.name));
-    EXPECT_TRUE(says_something(plugin.summary));
-    EXPECT_TRUE(says_something(plugin.source)) << "author, year, equation";
+    EXPECT_TRUE(says_something(plugin.about.summary));
+    EXPECT_TRUE(says_something(plugin.about.formula));
+    EXPECT_TRUE(says_something(plugin.about.source)) << "author, year, equation";
+    EXPECT_TRUE(says_something(plugin.about.validity));
     EXPECT_EQ(plugin.stamp.size, sizeof(Descriptor));
     EXPECT_EQ(plugin.stamp.sdk, sdk_version);
     std::set<std::string_view> names;

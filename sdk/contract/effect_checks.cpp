@@ -29,7 +29,8 @@ std::vector<Contact> contacts_of(const Case& with) {
                                         .slip = sign * size,
                                         .slipping = slipping,
                                         .needle_radius = with.needle.radius,
-                                        .axis = tilted};
+                                        .axis = tilted,
+                                        .time = 1.0};
                     Contact tip = shaft;
                     tip.tip = true;
                     tip.coverage = 0.0;
@@ -51,7 +52,7 @@ ContactLaw law_of(const ForceModel& effect, const Contact& contact, ContactLaw l
 
 bool same_law(const ContactLaw& a, const ContactLaw& b) {
     return a.axial_limit == b.axial_limit && a.tip_limit == b.tip_limit && a.tip_limited == b.tip_limited &&
-           a.own_force == b.own_force;
+           a.own_force == b.own_force && a.held == b.held;
 }
 
 template <class Function>

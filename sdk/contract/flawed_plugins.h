@@ -23,8 +23,14 @@ private:
 template <class Plugin>
 Descriptor describe() {
     static constexpr Parameter parameters[] = {text("flaw", "what it does wrong")};
-    return {build_stamp(), Plugin::role,         1, "flawed", "A plugin for the contract's own tests", "none",
-            parameters,    create_plugin<Plugin>};
+    return {
+        .stamp = build_stamp(),
+        .role = Plugin::role,
+        .parameter_count = 1,
+        .name = "flawed",
+        .about = {.summary = "A plugin for the contract's own tests", .formula = "none", .source = "none", .validity = "tests"},
+        .parameters = parameters,
+        .create = create_plugin<Plugin>};
 }
 
 inline void allocate(bool with_malloc = false) {
@@ -37,7 +43,7 @@ inline void allocate(bool with_malloc = false) {
 class FlawedTissue final : public TissueModel {
 public:
     explicit FlawedTissue(const Setup& setup)
-        : flaw_(setup), depth_(setup.tissue.extent.z()), half_width_(0.5 * setup.tissue.extent.x()) {
+        : flaw_(setup), depth_(setup.tissue->extent.z()), half_width_(0.5 * setup.tissue->extent.x()) {
         static int made = 0;
         if (flaw_.is("differs from its twin")) softness_ *= 1.0 + 1e-15 * ++made;
     }
@@ -82,6 +88,7 @@ public:
         return flaw_.is("energy of the commit") ? state_.energy : trial_.energy;
     }
 
+    [[nodiscard]] Vector3 displacement(const Vector3&) const override { return Vector3::Zero(); }
     [[nodiscard]] Location locate(const Vector3& material) const override {
         const double depth = -material.z();
         if (depth < 0.0 || depth > depth_ || std::abs(material.x()) > half_width_) return {outside, depth};
@@ -123,7 +130,7 @@ private:
 /// A needle that only shortens, like a spring of stiffness K/L: δ = N L/K, U = Kδ²/2L, entry force Kδ²/2L² (N its compression).
 class FlawedNeedle final : public NeedleModel {
 public:
-    explicit FlawedNeedle(const Setup& setup) : flaw_(setup), length_(setup.needle.length) {}
+    explicit FlawedNeedle(const Setup& setup) : flaw_(setup), length_(setup.needle->length) {}
 
     void predict(const Pose& base, double free_length, double) override {
         trial_.base = base;
@@ -273,18 +280,26 @@ private:
 /// A hand that sinks by 10 mm in two seconds and stays there.
 class FlawedDevice final : public HapticDevice {
 public:
-    explicit FlawedDevice(const Setup& setup) : flaw_(setup) {}
+    explicit FlawedDevice(const Setup& setup) : flaw_(setup) {
+        static int made = 0;
+        twin_ = 1e-15 * ++made;
+    }
 
     [[nodiscard]] DeviceLimits limits() const override {
-        return {.force = 8.5, .moment = flaw_.is("no moment limit") ? 0.0 : 0.5, .force_rate = 800.0, .soft_start = 0.2};
+        return {.force = 8.5,
+                .moment = flaw_.is("no moment limit") ? 0.0 : 0.5,
+                .force_rate = 800.0,
+                .soft_start = 0.2,
+                .stale_after = 0.01,
+                .ramp_down = 0.02};
     }
-    [[nodiscard]] Pose pose(double time) override {
-        const double way = flaw_.is("drifts on") ? time : std::clamp(time, 0.0, duration());
+    [[nodiscard]] Reading read(double time) override {
+        const double way = std::clamp(time, 0.0, duration());
         Pose pose{Vector3(0.0, 0.0, 0.2 - 5e-3 * way), Quaternion::Identity()};
         if (flaw_.is("not unit")) pose.rotation.w() = 1.0 + 1e-9;
         if (flaw_.is("nowhere at the end") && time >= duration()) pose.position.x() = std::nan("");
-        if (flaw_.is("depends on what was asked")) pose.position.x() = std::exchange(last_, time);
-        return pose;
+        if (flaw_.is("differs from its twin")) pose.position.x() = twin_;
+        return {.pose = pose, .age = flaw_.is("heard of it tomorrow") ? -1e-3 : 0.0};
     }
     void write(const Wrench&) override {
         if (flaw_.is("allocates in write")) allocate();
@@ -293,7 +308,7 @@ public:
 
 private:
     Flaw flaw_;
-    double last_ = 0.0;    // [s]
+    double twin_ = 0.0;    // [m]
 };
 
 }    // namespace stylet::contract

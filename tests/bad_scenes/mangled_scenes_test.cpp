@@ -127,6 +127,18 @@ TEST_F(MangledScene, TooLongIsRefusedUnread) {
     EXPECT_TRUE(messages[0].ends_with("found a file of 1048577 bytes (at most 1048576 are read), wanted a scene")) << messages[0];
 }
 
+TEST_F(MangledScene, IsRefusedInShortSentencesHoweverLongItsWordsAre) {
+    constexpr std::size_t longest = 500;              // [bytes]
+    const std::string no_character(10000, '\x80');    // of UTF-8: it has neither beginning nor end
+    const std::array<std::string, 3> texts{good_text() + std::string(10000, 'k') + ": 1\n", no_character,
+                                           "stylet: " + no_character};
+    for (const std::string& text : texts) {
+        const std::vector<std::string> messages = read(text);
+        EXPECT_FALSE(messages.empty());
+        for (const std::string& message : messages) EXPECT_LE(message.size(), longest) << message;
+    }
+}
+
 TEST_F(MangledScene, OfManyKeysIsReadInGoodTime) {
     std::string keys;
     for (int i = 0; i < 20000; ++i) keys += "key" + std::to_string(i) + ": [1, 2]\n";

@@ -28,7 +28,7 @@ TEST(Check, TellsAllErrorsOfAllScenesAndRunsNothing) {
     const Outcome check = bench.stylet({"check", "bad.yaml", paper("fig9"), "nowhere.yaml"});
     EXPECT_EQ(check.code, 2);
     EXPECT_EQ(check.out, paper("fig9") + ": sound\n");
-    for (const char* word : {"bad.yaml", "tissue", "needle", "device", "nowhere.yaml"}) EXPECT_THAT(check.err, HasSubstr(word));
+    for (const char* word : {"bad.yaml", "tissue", "needle", "run", "nowhere.yaml"}) EXPECT_THAT(check.err, HasSubstr(word));
     EXPECT_FALSE(bench.has("out"));
 }
 
@@ -47,6 +47,16 @@ TEST(Check, BinaryRubbishIsASentenceAndNoCrash) {
     const Outcome check = bench.stylet({"check", "rubbish.yaml"});
     EXPECT_EQ(check.code, 2);
     EXPECT_THAT(check.err, HasSubstr("rubbish.yaml"));
+}
+
+TEST(Check, BinaryRubbishAsARecordedHandIsAShortSentenceThatLeavesTheTerminalAlone) {
+    const Bench bench;
+    std::filesystem::copy_file(paper("fig9"), bench.path("scene.yaml"));
+    bench.write("rubbish.csv", "\x1b[2J" + std::string(1000, 'x') + "\n");
+    const Outcome check = bench.stylet({"check", "scene.yaml", "--set", "device={type: recorded_hand, file: rubbish.csv}"});
+    EXPECT_EQ(check.code, 2);
+    EXPECT_THAT(check.err, HasSubstr("line 1: found \"\\x1b[2Jxxxx"));
+    EXPECT_LT(check.err.size(), 300u) << check.err;
 }
 
 }    // namespace

@@ -42,7 +42,7 @@ protected:
         contacts_.remember(needle_);
         tip_ += Vector3(aside, 0.0, -down);
         needle_.put_tip(tip_);
-        contacts_.arrange(needle_, tissue_, effects_, set_);
+        contacts_.arrange(needle_, tissue_, effects_, 0.0, set_);
     }
     /// The step's answer: the tip carries this and advances by that, the shaft with it.
     ContactChange answer(double tip_force, double advance) {
@@ -102,7 +102,7 @@ TEST_F(Insertion, TouchesWhereItsTipCrossesTheSurface) {
 TEST_F(Insertion, ArrangesTheSameContactsAgainUntilTheStepIsAbsorbed) {
     move(4.0 * millimetre);
     const Vector3 material = set_.points[0].material;
-    contacts_.arrange(needle_, tissue_, effects_, set_);
+    contacts_.arrange(needle_, tissue_, effects_, 0.0, set_);
     ASSERT_EQ(set_.points.size(), 1u);
     EXPECT_EQ(set_.points[0].material, material);
     EXPECT_EQ(contacts_.tip(), TipState::free);

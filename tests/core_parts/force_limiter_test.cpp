@@ -14,7 +14,12 @@ constexpr double unhurried = 1e9;     // [N/s] a rate that limits nothing
 
 // Named so that each test shows what it limits.
 DeviceLimits limits_of(double force, double moment, double force_rate, double soft_start) {
-    return {.force = force, .moment = moment, .force_rate = force_rate, .soft_start = soft_start};
+    return {.force = force,
+            .moment = moment,
+            .force_rate = force_rate,
+            .soft_start = soft_start,
+            .stale_after = 0.01,
+            .ramp_down = 0.02};
 }
 
 Wrench pull(double force, double moment = 0.0) {

@@ -31,7 +31,7 @@ struct Books {
         hand.after.position = {0.0, 0.0, -travel};
         hand.wrench_before.force = {0.0, 0.0, -force_before};
         hand.wrench_after.force = {0.0, 0.0, -force_after};
-        ledger.close(hand, contacts, relocation, fracture, needle, tissue);
+        ledger.close(hand, contacts, {.relocation = relocation, .fracture = fracture}, needle, tissue);
         contacts.clear();
     }
 };
@@ -86,7 +86,7 @@ TEST(Ledger, CountsAHandThatTurns) {
     hand.after.rotation = Quaternion(Eigen::AngleAxisd(0.1, Vector3::UnitX()));
     hand.wrench_before.moment = {0.01, 5.0, 0.0};
     hand.wrench_after.moment = {0.03, 5.0, 0.0};
-    books.ledger.close(hand, books.contacts, 0.0, 0.0, books.needle, books.tissue);
+    books.ledger.close(hand, books.contacts, {}, books.needle, books.tissue);
     EXPECT_NEAR(books.ledger.balance().hand_work, 0.02 * 0.1, rounding);
 }
 
@@ -130,7 +130,7 @@ TEST(Ledger, ForetellsTheResidualOfAStepAtRest) {
     books.close(1.0, 2e-3, 2e-3);
     books.tissue.report.stored = 1e-3;
     books.add_contact(true, 1.0, 0.5, 1e-3);
-    const double foretold = books.ledger.imbalance_at_rest(books.contacts, 0.0, books.needle, books.tissue);
+    const double foretold = books.ledger.imbalance_at_rest(books.contacts, {}, books.needle, books.tissue);
     EXPECT_NEAR(foretold, 1e-3 - 0.75e-3, rounding);
     const double before = books.ledger.balance().residual();
     books.close(0.0, 1.0, 0.5, 0.3e-3);

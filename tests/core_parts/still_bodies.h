@@ -40,6 +40,7 @@ public:
 
     EnergyReport report;
 
+    [[nodiscard]] Vector3 displacement(const Vector3&) const override { return Vector3::Zero(); }
     [[nodiscard]] Location locate(const Vector3& material) const override {
         const double depth = -material.z();
         const bool inside = depth >= 0.0 && depth <= bottom_;

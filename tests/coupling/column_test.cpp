@@ -48,7 +48,6 @@ public:
     void predict(double pushed, double dt) {
         const Vector3 before = column.position(length);
         column.predict(base_at(pushed), setup_.length, dt);
-        tissue.predict(dt);
         const Vector3 axis = column.tangent(length);
         ContactRow& row = contacts.rows.front();
         row = {.lateral = true,
@@ -61,6 +60,8 @@ public:
         row.frame.col(2) = -axis;
         row.frame.col(1) = Vector3::UnitY();
         row.frame.col(0) = Vector3::UnitY().cross(-axis);
+        relocation = coupling.carry(tissue, contacts);
+        tissue.predict(dt);
     }
     CouplingReport solve(double pushed, double dt) {
         predict(pushed, dt);
@@ -91,6 +92,7 @@ public:
     SpringTissue tissue;
     Coupling coupling;
     ContactSet contacts;
+    double relocation = 0.0;    // [J] of the last step
 
 private:
     ColumnSetup setup_;
@@ -222,7 +224,7 @@ Run run() {
                       .wrench_after = {}};
         push.commit();
         hand.wrench_after = push.column.base_wrench();
-        ledger.close(hand, push.contacts, report.relocation, 0.0, push.column, push.tissue);
+        ledger.close(hand, push.contacts, {.relocation = push.relocation}, push.column, push.tissue);
         if (seen.load_at_bow == 0.0 && push.column.bow() > 0.01 * length) seen.load_at_bow = push.hand_force();
     }
     seen.relative_residual = ledger.peak_residual() / ledger.peak_work();

@@ -96,6 +96,7 @@ public:
     void commit() override { committed_ = trial_; }
     void rollback() override { trial_ = committed_; }
     [[nodiscard]] EnergyReport energy() const override { return {.stored = trial_}; }
+    [[nodiscard]] Vector3 displacement(const Vector3&) const override { return Vector3::Zero(); }
     [[nodiscard]] Location locate(const Vector3& material) const override;
     [[nodiscard]] double entry(const Vector3&, const Vector3&) const override { return -1.0; }
 

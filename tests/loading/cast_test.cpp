@@ -43,7 +43,7 @@ TEST(Cast, MakesEverythingThatTheSceneNames) {
 TEST(Cast, HandsTheNeedleItsBucklingModel) {
     const Scene scene = scene_with({});
     const Cast cast(scene, good_plugins());
-    EXPECT_EQ(cast.needle().state().critical_load, scene.needle_setup.length) << "the test's euler answers with the length";
+    EXPECT_EQ(cast.needle().state().critical_load, scene.needle_setup->length) << "the test's euler answers with the length";
 }
 
 TEST(Cast, OpensLibrariesInAFixedOrderAndEachOnce) {
@@ -74,7 +74,7 @@ TEST(Cast, NamesTheLineOfAParameterThatAConstructorRefuses) {
 
 TEST(Cast, NamesTheLineOfACommonKeyThatAConstructorRefuses) {
     Scene scene = scene_with({});
-    scene.needle_setup.radius = 1e-7;
+    scene.needle_setup->radius = 1e-7;
     const Messages expected{good_scene().string() + ":16:11: needle.radius: found a needle too thin for this model"};
     EXPECT_EQ(cast_complaints(scene), expected);
 }

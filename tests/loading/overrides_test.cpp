@@ -14,13 +14,13 @@ Scene good(const std::vector<Override>& overrides) {
 TEST(Overrides, ReplaceAValueAtAnyDepth) {
     const Scene scene =
         good({{"needle.length", "150 mm"}, {"effects[0].rupture_force", "1 N"}, {"tissue.layers[1].poisson_ratio", "0.3"}});
-    EXPECT_DOUBLE_EQ(scene.needle_setup.length, 0.15);
+    EXPECT_DOUBLE_EQ(scene.needle_setup->length, 0.15);
     EXPECT_DOUBLE_EQ(scene.effects[0].parameters.number("rupture_force"), 1.0);
-    EXPECT_DOUBLE_EQ(scene.tissue_setup.layers[1].poisson_ratio, 0.3);
+    EXPECT_DOUBLE_EQ(scene.tissue_setup->layers[1].poisson_ratio, 0.3);
 }
 
 TEST(Overrides, AddAKeyThatTheSceneLeavesOut) {
-    EXPECT_EQ(good({{"tissue.lattice.damping", "2 1/s"}, {"tissue.type", "lattice"}}).tissue.parameters.number("damping"), 2.0);
+    EXPECT_EQ(good({{"tissue.lattice.damping", "2 1/s"}, {"tissue.type", "lattice"}}).tissue->parameters.number("damping"), 2.0);
 }
 
 TEST(Overrides, TakeWholeListsAndMaps) {

@@ -33,28 +33,28 @@ private:
 TEST(GoodScene, ReadsTheTissueInSi) {
     const Scene scene = good();
     EXPECT_EQ(scene.title, "A needle for tests");
-    EXPECT_EQ(scene.tissue.type, "half_space");
-    EXPECT_EQ(scene.tissue_setup.fixed, "bottom");
-    EXPECT_TRUE(scene.tissue_setup.extent.isApprox(Vector3(0.15, 0.15, 0.15)));
-    ASSERT_EQ(scene.tissue_setup.layers.size(), 2u);
-    const Layer& skin = scene.tissue_setup.layers[0];
+    EXPECT_EQ(scene.tissue->type, "half_space");
+    EXPECT_EQ(scene.tissue_setup->fixed, "bottom");
+    EXPECT_TRUE(scene.tissue_setup->extent.isApprox(Vector3(0.15, 0.15, 0.15)));
+    ASSERT_EQ(scene.tissue_setup->layers.size(), 2u);
+    const Layer& skin = scene.tissue_setup->layers[0];
     EXPECT_EQ(skin.name, "skin");
     EXPECT_DOUBLE_EQ(skin.youngs_modulus, 1e5);
     EXPECT_DOUBLE_EQ(skin.poisson_ratio, 0.45);
     EXPECT_TRUE(std::isnan(skin.density));
     EXPECT_DOUBLE_EQ(skin.thickness, 0.002);
-    const Layer& gel = scene.tissue_setup.layers[1];
+    const Layer& gel = scene.tissue_setup->layers[1];
     EXPECT_DOUBLE_EQ(gel.density, 1000.0);
     EXPECT_DOUBLE_EQ(gel.thickness, 0.148) << "the last layer reaches the bottom";
 }
 
 TEST(GoodScene, ReadsTheNeedleInSi) {
     const Scene scene = good();
-    EXPECT_EQ(scene.needle.type, "beam_column");
-    EXPECT_DOUBLE_EQ(scene.needle_setup.length, 0.2);
-    EXPECT_DOUBLE_EQ(scene.needle_setup.radius, 0.0003);
-    EXPECT_DOUBLE_EQ(scene.needle_setup.youngs_modulus, 2e11);
-    EXPECT_EQ(scene.needle_setup.ends, Ends::clamped_pinned);
+    EXPECT_EQ(scene.needle->type, "beam_column");
+    EXPECT_DOUBLE_EQ(scene.needle_setup->length, 0.2);
+    EXPECT_DOUBLE_EQ(scene.needle_setup->radius, 0.0003);
+    EXPECT_DOUBLE_EQ(scene.needle_setup->youngs_modulus, 2e11);
+    EXPECT_EQ(scene.needle_setup->ends, Ends::clamped_pinned);
     ASSERT_TRUE(scene.buckling);
     EXPECT_EQ(scene.buckling->type, "euler");
 }
@@ -64,7 +64,7 @@ TEST(GoodScene, ReadsEffectsDeviceAndRunInSi) {
     ASSERT_EQ(scene.effects.size(), 2u);
     EXPECT_EQ(scene.effects[0].parameters.number("rupture_force"), 0.66);
     EXPECT_EQ(scene.effects[1].parameters.number("per_length"), 5.0);
-    const Parameters& device = scene.device.parameters;
+    const Parameters& device = scene.device->parameters;
     EXPECT_EQ(device.text("file"), (std::filesystem::canonical(SCENES) / "hands/steady.csv").string());
     ASSERT_EQ(device.records("motion").size(), 2u);
     EXPECT_EQ(device.records("motion")[0].text("way"), "insert");
@@ -83,7 +83,7 @@ TEST(GoodScene, KnowsTheLineOfEachParameter) {
     const Scene scene = good();
     EXPECT_EQ(scene.places.at("effects[1].per_length").line, 22);
     EXPECT_EQ(scene.places.at("effects[1].per_length").column, 34);
-    EXPECT_EQ(scene.device.place.line, 24);
+    EXPECT_EQ(scene.device->place.line, 24);
     EXPECT_EQ(scene.effects[1].path, "effects[1]");
 }
 
@@ -94,8 +94,8 @@ TEST(GoodScene, LeavesNoLibraryOpen) {
 
 TEST(GoodScene, SwapsAModelByOneWord) {
     const Scene scene = good({{"tissue.type", "lattice"}});
-    EXPECT_EQ(scene.tissue.type, "lattice");
-    EXPECT_EQ(scene.tissue.parameters.vector3("cells"), Vector3(15.0, 15.0, 15.0));
+    EXPECT_EQ(scene.tissue->type, "lattice");
+    EXPECT_EQ(scene.tissue->parameters.vector3("cells"), Vector3(15.0, 15.0, 15.0));
 }
 
 TEST(GoodScene, NeedsNoOwnMapForAPluginWithoutParametersAndMissesOneElse) {
@@ -152,7 +152,7 @@ TEST(SceneFiles, MayBeSharedWithinAFolderNamedScenes) {
     folder.write("scenes/paper/scene.yaml", text);
     folder.write("scenes/hands/steady.csv", "");
     const Scene scene = read_scene(folder.path() / "scenes/paper/scene.yaml", {}, good_plugins());
-    EXPECT_EQ(scene.device.parameters.text("file"),
+    EXPECT_EQ(scene.device->parameters.text("file"),
               (std::filesystem::canonical(folder.path()) / "scenes/hands/steady.csv").string());
 }
 

@@ -19,8 +19,8 @@ TEST(Columns, BeginWithTimeAndKeepTheScenesOrder) {
 }
 
 TEST(Columns, OfTheLedgerAreAllTheEnergies) {
-    const std::vector<std::string> expected{"time",  "hand_work", "stored",  "kinetic",   "fracture", "friction",
-                                            "burst", "released",  "damping", "numerical", "residual"};
+    const std::vector<std::string> expected{"time",     "hand_work", "load_work", "stored",  "kinetic",   "fracture",
+                                            "friction", "burst",     "released",  "damping", "numerical", "residual"};
     EXPECT_EQ(names_of(columns_of({"ledger"})), expected);
     EXPECT_EQ(names_of(columns_of({"ledger", "residual"})), expected);
 }

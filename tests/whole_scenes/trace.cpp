@@ -28,7 +28,8 @@ Stage::Stage(const std::filesystem::path& scene, const Overrides& overrides, Mot
 }
 
 DrivenHand& Stage::hand() const {
-    if (scene_.device.type != "driven_hand") throw std::logic_error("only a driven_hand can be given a motion");
+    if (!scene_.device || scene_.device->type != "driven_hand")
+        throw std::logic_error("only a driven_hand can be given a motion");
     return static_cast<DrivenHand&>(cast_.device());
 }
 

@@ -7,23 +7,31 @@ namespace stylet {
 
 /// What the device can bear. Core never writes more.
 struct DeviceLimits {
-    double force;         // [N] largest magnitude
-    double moment;        // [N·m] largest magnitude
-    double force_rate;    // [N/s] largest change; the moment is slewed in the same proportion
-    double soft_start;    // [s] over which the force fades in
+    double force;          // [N] largest magnitude
+    double moment;         // [N·m] largest magnitude
+    double force_rate;     // [N/s] largest change; the moment is slewed in the same proportion
+    double soft_start;     // [s] over which the force fades in
+    double stale_after;    // [s] a reading older than this is one of a hand that was lost
+    double ramp_down;      // [s] over which the force then fades out
 };
 
-/// A hand on the base: gives poses, takes the wrench that core has limited.
+/// What a device knows of the hand.
+struct Reading {
+    Pose pose;           // of the needle's base
+    double age = 0.0;    // [s] how long ago it was measured; of a device that has lost its hand, ever more
+};
+
+/// A hand on the base: tells where it is, takes the wrench that core has limited.
 class HapticDevice : public Object {
 public:
     static constexpr Role role = Role::device;
 
     [[nodiscard]] virtual DeviceLimits limits() const = 0;
 
-    /// The base's pose at `time` [s]; never falls behind it, may be asked for any time.
-    [[nodiscard]] virtual Pose pose(double time) = 0;
+    /// The hand at `time` [s]. Core asks at time 0 first and then for times that rise by the scene's time step.
+    [[nodiscard]] virtual Reading read(double time) = 0;
 
-    /// What the hand shall feel, already limited.
+    /// What the hand shall feel until it is told otherwise, already limited.
     virtual void write(const Wrench& wrench) = 0;
 
     /// When a recorded motion ends [s]; infinite for a live hand.

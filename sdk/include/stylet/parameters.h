@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -78,6 +79,9 @@ constexpr Parameter optional(Parameter parameter) {
     parameter.need = Need::optional;
     return parameter;
 }
+
+/// Of a plugin that has none.
+inline constexpr std::span<const Parameter> no_parameters{};
 
 /// The values of a plugin's parameters, read from the scene, checked against the declarations, in SI.
 /// Asking for a value of another kind, or for a required one by a name that was never declared, is a plugin's bug and throws

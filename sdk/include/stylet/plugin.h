@@ -1,6 +1,8 @@
 // The border between core and a plugin's library: one exported descriptor, checked before anything else is called.
 //
-//     STYLET_PLUGIN(Friction, "friction", "Dry friction along the shaft", "Okamura et al. 2004", parameters)
+//     STYLET_PLUGIN(Friction, "friction", parameters,
+//                   .summary = "Dry friction along the shaft", .formula = "F = f l", .source = "Okamura et al. 2004",
+//                   .validity = "Dry sliding at any speed; leaves out damping")
 //
 // A plugin is one class that derives from a role (TissueModel, NeedleModel, BucklingModel, ForceModel, HapticDevice) and is made
 // from a const Setup&; its constructor throws Error where a value makes no sense. Its library bears its name: friction.so.
@@ -9,7 +11,9 @@
 #include <stylet/setup.h>
 
 #include <cstdint>
+#include <iterator>
 #include <memory>
+#include <span>
 
 namespace stylet {
 
@@ -25,7 +29,7 @@ public:
 };
 
 /// Raised by one whenever a library built before could no longer be called.
-inline constexpr std::uint32_t sdk_version = 1;
+inline constexpr std::uint32_t sdk_version = 2;
 
 /// What a library was built with. It comes first, holds only integers and C strings, and never changes its layout.
 struct BuildStamp {
@@ -37,13 +41,21 @@ struct BuildStamp {
     const char* library;        // C++ standard library and its string ABI
 };
 
+/// What a plugin says of itself, in lists, pages and editors. Plain text that lives as long as the library; line breaks are kept
+/// in `formula` alone.
+struct About {
+    const char* summary;     // one line
+    const char* formula;     // what it computes
+    const char* source;      // author, year, equation, and where we deviate from it
+    const char* validity;    // where it may be trusted, and what it leaves out
+};
+
 struct Descriptor {
     BuildStamp stamp;
     Role role;
     std::uint32_t parameter_count;
-    const char* name;       // the `type:` of a scene and the library's file name
-    const char* summary;    // one line
-    const char* source;     // author, year, equation
+    const char* name;    // the `type:` of a scene and the library's file name
+    About about;
     const Parameter* parameters;
     Object* (*create)(const Setup&);
 };
@@ -80,15 +92,14 @@ Object* create_plugin(const Setup& setup) {
 
 }    // namespace stylet
 
-/// Exports `Class` (its role is the one it derives from). `parameters_` is an array of Parameter that may be empty: use
-/// STYLET_PLUGIN_WITHOUT_PARAMETERS then.
-#define STYLET_PLUGIN(Class, name_, summary_, source_, parameters_)                                              \
-    extern "C" __attribute__((visibility("default"))) const stylet::Descriptor stylet_plugin;                    \
-    const stylet::Descriptor stylet_plugin = {                                                                   \
-        stylet::build_stamp(),       Class::role, std::size(parameters_), name_, summary_, source_, parameters_, \
-        stylet::create_plugin<Class>};
-
-#define STYLET_PLUGIN_WITHOUT_PARAMETERS(Class, name_, summary_, source_)                                                     \
-    extern "C" __attribute__((visibility("default"))) const stylet::Descriptor stylet_plugin;                                 \
-    const stylet::Descriptor stylet_plugin = {stylet::build_stamp(),       Class::role, 0, name_, summary_, source_, nullptr, \
-                                              stylet::create_plugin<Class>};
+/// Exports `Class` (its role is the one it derives from). `parameters_` is an array of Parameter or `no_parameters`; what follows
+/// are the fields of About.
+#define STYLET_PLUGIN(Class, name_, parameters_, ...)                                         \
+    extern "C" __attribute__((visibility("default"))) const stylet::Descriptor stylet_plugin; \
+    const stylet::Descriptor stylet_plugin = {.stamp = stylet::build_stamp(),                 \
+                                              .role = Class::role,                            \
+                                              .parameter_count = std::size(parameters_),      \
+                                              .name = name_,                                  \
+                                              .about = {__VA_ARGS__},                         \
+                                              .parameters = std::data(parameters_),           \
+                                              .create = stylet::create_plugin<Class>};

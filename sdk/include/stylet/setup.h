@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stylet/parameters.h>
+#include <stylet/workers.h>
 
 #include <cstdint>
 #include <string>
@@ -43,13 +44,14 @@ struct NeedleSetup {
     }
 };
 
-/// Everything a plugin is made from. References hold while the plugin lives.
+/// Everything a plugin is made from. References and pointers hold while the plugin lives.
 struct Setup {
-    const Parameters& parameters;    // the plugin's own
-    const TissueSetup& tissue;
-    const NeedleSetup& needle;
+    const Parameters& parameters;     // the plugin's own
+    const TissueSetup* tissue;        // nullptr where the scene has none; a tissue is always given its own
+    const NeedleSetup* needle;        // nullptr where the scene has none; a needle is always given its own
     const BucklingModel* buckling;    // for a needle: nullptr where the scene names none
     double dt;                        // [s] the scene's time step
+    Workers& workers;                 // threads that core lends; a plugin makes none of its own
 };
 
 }    // namespace stylet

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <stylet/body.h>
+#include <stylet/patch.h>
 
 namespace stylet {
 
@@ -19,6 +20,21 @@ public:
 
     /// Moves the tissue under everything already known for `dt` [s]. dt = 0 means that core solves again at the same instant.
     virtual void predict(double dt) = 0;
+
+    /// The patches that the scene's effects load, told once before anything else; they live as long as the tissue. A force on a
+    /// patch is shared evenly by what it covers (its area, its nodes). Throws Error where this tissue can't be loaded there.
+    virtual void bear(std::span<const Patch> patches) {
+        if (!patches.empty()) throw Error("this tissue bears no load on a patch of its surface");
+    }
+
+    /// From the next predict on, the force on each of those patches [N].
+    virtual void load(std::span<const Vector3>) {}
+
+    /// Mean displacement of patch i [m], of the latest trial state: the way that a force on it works along.
+    [[nodiscard]] virtual Vector3 patch_displacement(int) const { return Vector3::Zero(); }
+
+    /// Of a material point [m], of the committed state: what a picture shows.
+    [[nodiscard]] virtual Vector3 displacement(const Vector3& material) const = 0;
 
     [[nodiscard]] virtual Location locate(const Vector3& material) const = 0;
 

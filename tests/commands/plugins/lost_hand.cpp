@@ -7,13 +7,15 @@ namespace {
 
 class LostHand final : public stylet::HapticDevice {
 public:
-    explicit LostHand(const stylet::Setup& setup) : length_(setup.needle.length) {}
+    explicit LostHand(const stylet::Setup& setup) : length_(setup.needle->length) {}
 
-    stylet::DeviceLimits limits() const override { return {.force = 3.0, .moment = 0.1, .force_rate = 1e3, .soft_start = 0.01}; }
-    stylet::Pose pose(double time) override {
+    stylet::DeviceLimits limits() const override {
+        return {.force = 3.0, .moment = 0.1, .force_rate = 1e3, .soft_start = 0.01, .stale_after = 0.01, .ramp_down = 0.01};
+    }
+    stylet::Reading read(double time) override {
         constexpr double lost = 0.05;    // [s]
         const double height = time < lost ? length_ : std::numeric_limits<double>::quiet_NaN();
-        return {.position = {0.0, 0.0, height}};
+        return {.pose = {.position = {0.0, 0.0, height}}};
     }
     void write(const stylet::Wrench&) override {}
     double duration() const override { return 0.1; }
@@ -24,4 +26,5 @@ private:
 
 }    // namespace
 
-STYLET_PLUGIN_WITHOUT_PARAMETERS(LostHand, "lost_hand", "A hand whose pose stops being a number", "a broken cable")
+STYLET_PLUGIN(LostHand, "lost_hand", stylet::no_parameters, .summary = "A hand whose pose stops being a number",
+              .formula = "none", .source = "none", .validity = "tests")

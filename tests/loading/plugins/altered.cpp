@@ -10,8 +10,14 @@ public:
 };
 
 constexpr stylet::Descriptor altered() {
-    stylet::Descriptor descriptor{stylet::build_stamp(),         Nothing::role, 0,       NAME,
-                                  "A library altered for tests", "none",        nullptr, stylet::create_plugin<Nothing>};
+    stylet::Descriptor descriptor{
+        .stamp = stylet::build_stamp(),
+        .role = Nothing::role,
+        .parameter_count = 0,
+        .name = NAME,
+        .about = {.summary = "A library altered for tests", .formula = "none", .source = "none", .validity = "tests"},
+        .parameters = nullptr,
+        .create = stylet::create_plugin<Nothing>};
     ALTERATION;
     return descriptor;
 }

@@ -8,7 +8,7 @@ namespace {
 class BeamColumn : public stylet::still::Needle {
 public:
     explicit BeamColumn(const stylet::Setup& setup) : Needle(setup) {
-        const stylet::NeedleSetup& needle = setup.needle;
+        const stylet::NeedleSetup& needle = *setup.needle;
         if (needle.radius < 1e-6) throw stylet::Error("radius", "found a needle too thin for this model");
         if (setup.buckling == nullptr) return;
         critical_load_ = setup.buckling->critical_load({needle.bending_stiffness(), needle.length, needle.radius, needle.ends});
@@ -17,4 +17,5 @@ public:
 
 }    // namespace
 
-STYLET_PLUGIN_WITHOUT_PARAMETERS(BeamColumn, "beam_column", "A needle for tests", "none")
+STYLET_PLUGIN(BeamColumn, "beam_column", stylet::no_parameters, .summary = "A needle for tests", .formula = "none",
+              .source = "none", .validity = "tests")

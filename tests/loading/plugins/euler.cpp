@@ -10,4 +10,5 @@ public:
 
 }    // namespace
 
-STYLET_PLUGIN_WITHOUT_PARAMETERS(Euler, "euler", "A buckling model for tests: the length is the load", "none")
+STYLET_PLUGIN(Euler, "euler", stylet::no_parameters, .summary = "A buckling model for tests: the length is the load",
+              .formula = "none", .source = "none", .validity = "tests")

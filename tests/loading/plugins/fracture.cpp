@@ -22,4 +22,5 @@ constexpr stylet::Parameter parameters[] = {
 
 }    // namespace
 
-STYLET_PLUGIN(Fracture, "fracture", "An effect for tests", "none", parameters)
+STYLET_PLUGIN(Fracture, "fracture", parameters, .summary = "An effect for tests", .formula = "none", .source = "none",
+              .validity = "tests")

@@ -19,4 +19,5 @@ constexpr stylet::Parameter parameters[] = {
 
 }    // namespace
 
-STYLET_PLUGIN(Friction, "friction", "An effect for tests", "none", parameters)
+STYLET_PLUGIN(Friction, "friction", parameters, .summary = "An effect for tests", .formula = "none", .source = "none",
+              .validity = "tests")

@@ -2,4 +2,5 @@
 
 using stylet::still::Tissue;
 
-STYLET_PLUGIN_WITHOUT_PARAMETERS(Tissue, "half_space", "A tissue for tests", "none")
+STYLET_PLUGIN(Tissue, "half_space", stylet::no_parameters, .summary = "A tissue for tests", .formula = "none", .source = "none",
+              .validity = "tests")

@@ -11,4 +11,5 @@ constexpr stylet::Parameter parameters[] = {
 
 }    // namespace
 
-STYLET_PLUGIN(Tissue, "lattice", "A tissue with parameters of its own, for tests", "none", parameters)
+STYLET_PLUGIN(Tissue, "lattice", parameters, .summary = "A tissue with parameters of its own, for tests", .formula = "none",
+              .source = "none", .validity = "tests")

@@ -7,8 +7,8 @@ public:
     explicit RecordedHand(const stylet::Setup& setup) : steps_(setup.parameters.has("motion")) {
         if (!steps_ && !setup.parameters.has("file")) throw stylet::Error("file", "found neither a file nor a motion");
     }
-    stylet::DeviceLimits limits() const override { return {10.0, 1.0, 100.0, 0.1}; }
-    stylet::Pose pose(double) override { return {}; }
+    stylet::DeviceLimits limits() const override { return {10.0, 1.0, 100.0, 0.1, 0.01, 0.02}; }
+    stylet::Reading read(double) override { return {}; }
     void write(const stylet::Wrench&) override {}
 
 private:
@@ -27,4 +27,5 @@ constexpr stylet::Parameter parameters[] = {
 
 }    // namespace
 
-STYLET_PLUGIN(RecordedHand, "recorded_hand", "A device for tests", "none", parameters)
+STYLET_PLUGIN(RecordedHand, "recorded_hand", parameters, .summary = "A device for tests", .formula = "none", .source = "none",
+              .validity = "tests")

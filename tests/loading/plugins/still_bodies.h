@@ -21,8 +21,9 @@ public:
 
 class Tissue : public Body<TissueModel> {
 public:
-    explicit Tissue(const Setup& setup) : layers_(setup.tissue.layers) {}
+    explicit Tissue(const Setup& setup) : layers_(setup.tissue->layers) {}
     void predict(double) override {}
+    Vector3 displacement(const Vector3&) const override { return Vector3::Zero(); }
     Location locate(const Vector3& material) const override { return {0, -material.z()}; }
     double entry(const Vector3&, const Vector3&) const override { return static_cast<double>(layers_.size()); }
 
@@ -32,7 +33,7 @@ private:
 
 class Needle : public Body<NeedleModel> {
 public:
-    explicit Needle(const Setup& setup) : length_(setup.needle.length) {}
+    explicit Needle(const Setup& setup) : length_(setup.needle->length) {}
     void predict(const Pose&, double, double) override {}
     Vector3 position(double arclength) const override { return {0.0, 0.0, -arclength}; }
     Vector3 tangent(double) const override { return {0.0, 0.0, -1.0}; }

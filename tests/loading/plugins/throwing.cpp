@@ -20,4 +20,5 @@ constexpr stylet::Parameter parameters[] = {
 
 }    // namespace
 
-STYLET_PLUGIN(Throwing, "throwing", "An effect whose constructor throws", "none", parameters)
+STYLET_PLUGIN(Throwing, "throwing", parameters, .summary = "An effect whose constructor throws", .formula = "none",
+              .source = "none", .validity = "tests")

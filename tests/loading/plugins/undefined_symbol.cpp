@@ -12,4 +12,5 @@ public:
 
 }    // namespace
 
-STYLET_PLUGIN_WITHOUT_PARAMETERS(Undefined, "undefined_symbol", "A library that was not linked whole", "none")
+STYLET_PLUGIN(Undefined, "undefined_symbol", stylet::no_parameters, .summary = "A library that was not linked whole",
+              .formula = "none", .source = "none", .validity = "tests")

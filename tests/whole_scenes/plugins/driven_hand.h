@@ -10,12 +10,15 @@ namespace stylet::whole_scenes {
 
 class DrivenHand final : public HapticDevice {
 public:
-    static constexpr DeviceLimits device_limits{.force = 5.0, .moment = 0.5, .force_rate = 1e4, .soft_start = 0.01};
+    static constexpr DeviceLimits device_limits{
+        .force = 5.0, .moment = 0.5, .force_rate = 1e4, .soft_start = 0.01, .stale_after = 0.002, .ramp_down = 0.02};
 
     explicit DrivenHand(const Setup&) {}
 
     DeviceLimits limits() const override { return device_limits; }
-    Pose pose(double time) override { return motion ? motion(time) : Pose{.position = {0.0, 0.0, 1.0}}; }
+    Reading read(double time) override {
+        return {.pose = motion ? motion(time) : Pose{.position = {0.0, 0.0, 1.0}}, .age = age ? age(time) : 0.0};
+    }
     void write(const Wrench& wrench) override {
         last = wrench;
         greatest_force = std::max(greatest_force, wrench.force.norm());
@@ -23,6 +26,7 @@ public:
     double duration() const override { return 1.0; }
 
     std::function<Pose(double time)> motion;
+    std::function<double(double time)> age;    // [s]
     Wrench last;
     double greatest_force = 0.0;    // [N]
 };

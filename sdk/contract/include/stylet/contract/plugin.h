@@ -55,7 +55,12 @@ struct Case {
 /// A plugin object of the case, which outlives it where the plugin keeps what it was given. Throws what the plugin's constructor
 /// throws.
 [[nodiscard]] inline std::unique_ptr<Object> make(const Descriptor& plugin, const Case& with) {
-    const Setup setup{with.parameters, with.tissue, with.needle, with.buckling, with.dt};
+    const Setup setup{.parameters = with.parameters,
+                      .tissue = &with.tissue,
+                      .needle = &with.needle,
+                      .buckling = with.buckling,
+                      .dt = with.dt,
+                      .workers = one_thread()};
     return std::unique_ptr<Object>(plugin.create(setup));
 }
 
