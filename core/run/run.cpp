@@ -111,11 +111,13 @@ RunReport run(const Scene& scene, const PluginFolders& folders, const RunOptions
         recorder.emplace(*options.recording, Recorder::Heading{scene.title, scene.file.filename().string(), scene.hash},
                          columns_of(scene.record));
     }
+    if (options.observe) options.observe(simulation);
     for (std::size_t i = 0; i < ticks; ++i) {
         watch.time([&] { simulation.tick(); });
         reporter.take(simulation);
         while (recorder && !recorder->push(simulation.sample(), simulation.events()))
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        if (options.observe) options.observe(simulation);
         if (options.progress && i % progress_every == 0) options.progress(static_cast<double>(i) / static_cast<double>(ticks));
     }
     if (recorder) recorder->finish();

@@ -11,9 +11,15 @@
 
 namespace stylet::core {
 
+class Simulation;
+
 struct RunOptions {
     std::optional<std::filesystem::path> recording;    // CSV to write
     std::function<void(double fraction)> progress;     // called now and then between ticks, from 0 to 1; may be empty
+
+    /// Called with the simulation as it begins and after every tick. The virtual clock waits for it; a real-time run has no place
+    /// for it. May be empty, and may throw: the run then ends with what it threw.
+    std::function<void(const Simulation&)> observe;
 };
 
 /// Loads the scene's cast and runs it to its end. Throws SceneErrors where the cast is refused, Error where the recording cannot

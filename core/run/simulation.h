@@ -55,6 +55,11 @@ public:
     [[nodiscard]] std::span<const Event> events() const { return events_.list(); }    // of the last tick
     [[nodiscard]] const Ledger& ledger() const { return ledger_; }
     [[nodiscard]] const PatchLoads& loads() const { return loads_; }
+    [[nodiscard]] const TissueModel& tissue() const { return tissue_; }
+    [[nodiscard]] const NeedleModel& needle() const { return needle_; }
+
+    /// Of the last step, with the forces that came out; nullptr where the last tick found no equilibrium, and after a fault.
+    [[nodiscard]] const ContactSet* contacts() const { return lost_ || faulted() ? nullptr : &set_; }
     [[nodiscard]] bool ever_touched() const { return ever_touched_; }
     [[nodiscard]] bool ever_punctured() const { return ever_punctured_; }
     [[nodiscard]] bool faulted() const { return limiter_.faulted(); }
