@@ -40,12 +40,13 @@ struct Case {
     Given parameters{};
     TissueSetup tissue = gel_block();
     NeedleSetup needle = steel_needle();
-    const BucklingModel* buckling = nullptr;    // lives as long as the tests
-    double dt = 1e-3;                           // [s]
-    double depth = 0.03;                        // [m] how deep the tip is in the checks that are inside the tissue
-    double load = 0.5;                          // [N] on the tip, against the insertion; each shaft contact gets a tenth
-    double lateral = 0.01;                      // of the load that acts across the needle
-    int steps = 64;                             // in which a load is raised where its work is summed
+    bool has_tissue = true, has_needle = true;    // what the scene of an effect leaves out
+    const BucklingModel* buckling = nullptr;      // lives as long as the tests
+    double dt = 1e-3;                             // [s]
+    double depth = 0.03;                          // [m] how deep the tip is in the checks that are inside the tissue
+    double load = 0.5;                            // [N] on the tip, against the insertion; each shaft contact gets a tenth
+    double lateral = 0.01;                        // of the load that acts across the needle
+    int steps = 64;                               // in which a load is raised where its work is summed
 };
 
 /// The descriptor that the library in `file` exports. The library stays loaded until the process ends.
@@ -56,8 +57,8 @@ struct Case {
 /// throws.
 [[nodiscard]] inline std::unique_ptr<Object> make(const Descriptor& plugin, const Case& with) {
     const Setup setup{.parameters = with.parameters,
-                      .tissue = &with.tissue,
-                      .needle = &with.needle,
+                      .tissue = with.has_tissue ? &with.tissue : nullptr,
+                      .needle = with.has_needle ? &with.needle : nullptr,
                       .buckling = with.buckling,
                       .dt = with.dt,
                       .workers = one_thread()};
