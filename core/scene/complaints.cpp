@@ -9,6 +9,18 @@
 #include <tuple>
 
 namespace stylet::core {
+namespace {
+
+/// A character of UTF-8 stays whole.
+std::string shortened(const std::string& text, std::size_t longest) {
+    constexpr std::size_t rest = 3;    // [bytes] a character's most after its first
+    const auto inside_a_character = [&](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80; };
+    std::size_t end = std::min(text.size(), longest);
+    while (end < std::min(text.size(), longest + rest) && inside_a_character(end)) ++end;
+    return end < text.size() ? text.substr(0, end) + "…" : text;
+}
+
+}    // namespace
 
 SceneErrors::SceneErrors(std::vector<std::string> messages)
     : std::runtime_error(fmt::format("{}", fmt::join(messages, "\n"))), messages_(std::move(messages)) {}
@@ -18,6 +30,7 @@ void Complaints::add(const Place& place, const std::string& path, const std::str
 }
 
 std::vector<std::string> Complaints::messages() const {
+    constexpr std::size_t longest = 120;    // [bytes] of a path: no key of a plugin lies deeper
     std::vector<Complaint> sorted = complaints_;
     std::ranges::stable_sort(sorted, {}, [](const Complaint& complaint) {
         const Place& place = complaint.place;
@@ -28,8 +41,8 @@ std::vector<std::string> Complaints::messages() const {
         std::string message = place.file;
         if (place.line > 0) message += fmt::format(":{}:{}", place.line, place.column);
         // The place of an override already says its path.
-        if (!path.empty() && place.file != "--set " + path) message += ": " + printable(path);
-        messages.push_back(message + ": " + sentence);
+        if (!path.empty() && place.file != "--set " + path) message += ": " + shortened(path, longest);
+        messages.push_back(printable(message + ": " + sentence));
     }
     return messages;
 }
@@ -53,10 +66,7 @@ std::string printable(const std::string& text) {
 
 std::string quote(const std::string& text) {
     constexpr std::size_t longest = 60;    // [bytes] what a terminal's line bears
-    std::size_t end = std::min(text.size(), longest);
-    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
-        ++end;    // a character of UTF-8 stays whole
-    return fmt::format("'{}{}'", printable(text.substr(0, end)), end < text.size() ? "…" : "");
+    return fmt::format("'{}'", printable(shortened(text, longest)));
 }
 
 std::string list_of(const std::vector<std::string>& words) {

@@ -91,7 +91,7 @@ Choice read_swappable_choice(const ValueTree& map, const std::string& path, Role
     if (choice.type.empty()) return choice;
     const auto library = open_plugin(choice.type, role, choice.place, join(path, "type"), reading);
     if (!library) return choice;
-    const ValueTree nothing_given{.shape = ValueTree::Shape::map, .place = map.place};
+    const ValueTree nothing_given(ValueTree::Shape::map, map.place);
     const ValueTree* own = map.find(choice.type);
     choice.parameters = read_own_map(own == nullptr ? nothing_given : *own, join(path, choice.type), *library, reading);
     return choice;

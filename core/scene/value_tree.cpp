@@ -43,7 +43,7 @@ public:
         if (wants_key()) throw Refusal{mark, "found an empty key, wanted a word before the ':'"};
         // The parser's mark of a missing value is the next thing in the text; the key is where a reader looks.
         const Place place = !open_.empty() && open_.back().key ? open_.back().key_place : place_of(mark, start_);
-        add({.shape = ValueTree::Shape::nothing, .place = place});
+        add({ValueTree::Shape::nothing, place});
     }
     void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
         throw Refusal{mark, "found an alias ('*name'), wanted the value itself: a scene writes every value out"};
@@ -53,7 +53,7 @@ public:
             open_.back().key = value;
             open_.back().key_place = place_of(mark, start_);
         } else {
-            add({.shape = ValueTree::Shape::scalar, .place = place_of(mark, start_), .text = value});
+            add({ValueTree::Shape::scalar, place_of(mark, start_), value});
         }
     }
     void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {
@@ -91,7 +91,7 @@ private:
         const bool as_key = wants_key();
         // Not thrown: a missing bracket further on looks like this, too, and is then what is wrong.
         if (as_key && !refusal_) refusal_ = Refusal{mark, "found a list or a map as a key, wanted a word"};
-        open_.push_back({.node = {.shape = shape, .place = place_of(mark, start_)}, .path = path_of_next(), .as_key = as_key});
+        open_.push_back({.node = {shape, place_of(mark, start_)}, .path = path_of_next(), .as_key = as_key});
     }
 
     void end() {
@@ -138,7 +138,7 @@ std::optional<ValueTree> parse_yaml(const std::string& text, const Place& start,
         std::istringstream stream(text);
         YAML::Parser parser(stream);
         TreeBuilder builder(start, complaints);
-        if (!parser.HandleNextDocument(builder)) return ValueTree{.shape = ValueTree::Shape::nothing, .place = start};
+        if (!parser.HandleNextDocument(builder)) return ValueTree(ValueTree::Shape::nothing, start);
         TreeBuilder surplus(start, complaints);
         if (parser.HandleNextDocument(surplus)) {
             complaints.add(start, "", "found a second YAML document (after '---' or '...'), wanted one");
@@ -157,6 +157,8 @@ std::optional<ValueTree> parse_yaml(const std::string& text, const Place& start,
     }
     return std::nullopt;
 }
+
+ValueTree::ValueTree(Shape is, Place stands, std::string says) : shape(is), place(std::move(stands)), text(std::move(says)) {}
 
 const ValueTree* ValueTree::find(const std::string& key) const {
     for (const Entry& entry : entries) {

@@ -14,10 +14,13 @@ struct ValueTree {
     struct Entry;
 
     Shape shape = Shape::nothing;
-    Place place{};
-    std::string text{};                // of a scalar
-    std::vector<ValueTree> items{};    // of a list
-    std::vector<Entry> entries{};      // of a map, in the order written, each key once
+    Place place;
+    std::string text;                // of a scalar
+    std::vector<ValueTree> items;    // of a list
+    std::vector<Entry> entries;      // of a map, in the order written, each key once
+
+    ValueTree() = default;
+    ValueTree(Shape is, Place stands, std::string says = "");
 
     [[nodiscard]] const ValueTree* find(const std::string& key) const;
     [[nodiscard]] ValueTree* find(const std::string& key);

@@ -19,7 +19,9 @@ constexpr double unit_tolerance = 1e-3;    // a quaternion written with four dig
 /// The file's own words as a sentence shows them.
 std::string quoted(std::string_view words) {
     constexpr std::size_t longest = 60;    // [bytes] a file that is no recording may have a line of any length
-    return "\"" + std::string(words.substr(0, longest)) + (words.size() > longest ? "…\"" : "\"");
+    std::string shown = "\"";
+    shown += words.substr(0, longest);
+    return shown += words.size() > longest ? "…\"" : "\"";
 }
 
 double read_number(std::string_view cell, int line) {

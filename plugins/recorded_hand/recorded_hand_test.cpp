@@ -161,6 +161,7 @@ TEST(RecordedHand, RefusesBadFilesWithTheirLine) {
     const std::string good = "0,0,0,0.2,1,0,0,0\n";
     const std::string wanted = "wanted the header \"time [s],x [m],y [m],z [m],qw,qx,qy,qz\"";
     EXPECT_EQ(file_refusal("# by hand\ntime,x\n"), "line 2: found \"time,x\", " + wanted);
+    EXPECT_EQ(file_refusal(std::string(1000, 'x')), "line 1: found \"" + std::string(60, 'x') + "…\", " + wanted);
     EXPECT_EQ(file_refusal(""), "line 1: found nothing, " + wanted);
     EXPECT_EQ(file_refusal(header), "line 2: found no pose, wanted at least one");
     EXPECT_EQ(file_refusal(header + good + "1,0,0,0.2,1,0,0\n"), "line 3: found 7 columns, wanted the 8 of the header");

@@ -135,7 +135,7 @@ TEST_F(MangledScene, IsRefusedInShortSentencesHoweverLongItsWordsAre) {
     for (const std::string& text : texts) {
         const std::vector<std::string> messages = read(text);
         EXPECT_FALSE(messages.empty());
-        for (const std::string& message : messages) EXPECT_LE(message.size(), longest) << message;
+        for (const std::string& message : messages) EXPECT_LE(message.size(), longest) << message.substr(0, longest);
     }
 }
 
