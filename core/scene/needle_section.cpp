@@ -1,4 +1,3 @@
-#include "core/scene/common_keys.h"
 #include "core/scene/plugin_choice.h"
 #include "core/scene/sections.h"
 
@@ -17,9 +16,7 @@ Ends ends_of(const std::string& word) {
 }    // namespace
 
 void read_needle(const ValueTree& map, Reading& reading, Scene& scene) {
-    std::vector<std::string> common = names_of(needle_keys);
-    common.emplace_back("buckling");
-    scene.needle = read_swappable_choice(map, "needle", Role::needle, common, reading);
+    scene.needle = read_choice(map, "needle", needle_section, reading);
     const Parameters keys = read_parameters(map, "needle", needle_keys, reading);
     NeedleSetup& needle = scene.needle_setup.emplace();
     needle.length = number_or_nan(keys, "length");
@@ -32,9 +29,8 @@ void read_needle(const ValueTree& map, Reading& reading, Scene& scene) {
                                            map.find("radius")->description(), needle.length));
     }
     const ValueTree* buckling = map.find("buckling");
-    if (buckling != nullptr &&
-        is_map(*buckling, "needle.buckling", "the model of the critical load; left out, nothing buckles", reading)) {
-        scene.buckling = read_inline_choice(*buckling, "needle.buckling", Role::buckling, {}, reading);
+    if (buckling != nullptr && is_map(*buckling, "needle.buckling", buckling_section.meaning, reading)) {
+        scene.buckling = read_choice(*buckling, "needle.buckling", buckling_section, reading);
     }
 }
 

@@ -1,5 +1,4 @@
 #include "core/run/sample.h"
-#include "core/scene/common_keys.h"
 #include "core/scene/plugin_choice.h"
 #include "core/scene/sections.h"
 #include "core/scene/suggestion.h"
@@ -15,18 +14,18 @@ namespace stylet::core {
 void read_effects(const ValueTree& list, Reading& reading, Scene& scene) {
     if (list.shape != ValueTree::Shape::list) {
         reading.complaints.add(list.place, "effects",
-                               "found " + list.description() + ", wanted a list of maps (effects that act)");
+                               fmt::format("found {}, wanted a list of maps ({})", list.description(), effects_section.meaning));
         return;
     }
     for (std::size_t i = 0; i < list.items.size(); ++i) {
         const std::string path = join("effects", i);
         if (!is_map(list.items[i], path, "an effect that acts", reading)) continue;
-        scene.effects.push_back(read_inline_choice(list.items[i], path, Role::effect, {}, reading));
+        scene.effects.push_back(read_choice(list.items[i], path, effects_section, reading));
     }
 }
 
 void read_device(const ValueTree& map, Reading& reading, Scene& scene) {
-    scene.device = read_inline_choice(map, "device", Role::device, names_of(device_keys), reading);
+    scene.device = read_choice(map, "device", device_section, reading);
     const Parameters keys = read_parameters(map, "device", device_keys, reading);
     if (keys.has("force_limit")) scene.force_limit = keys.number("force_limit");
 }
@@ -60,7 +59,7 @@ void read_run(const ValueTree& map, Reading& reading, Scene& scene) {
 void read_record(const ValueTree& list, Reading& reading, Scene& scene) {
     if (list.shape != ValueTree::Shape::list || list.items.empty()) {
         reading.complaints.add(list.place, "record",
-                               "found " + list.description() + ", wanted a list of columns (left out, every column is recorded)");
+                               fmt::format("found {}, wanted a list ({})", list.description(), record_section.meaning));
         return;
     }
     const std::vector<std::string> words = record_words();

@@ -2,46 +2,19 @@
 
 #include "core/scene/suggestion.h"
 #include "core/scene/units.h"
+#include "core/scene/wanted.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <iterator>
-#include <sstream>
+#include <limits>
 
 namespace stylet::core {
 namespace {
 
 using Shape = ValueTree::Shape;
 using Value = std::optional<Parameters::Value>;
-
-std::vector<std::string> words_of(const char* text) {
-    std::istringstream stream(text);
-    return {std::istream_iterator<std::string>(stream), {}};
-}
-
-std::string wanted_by(const Parameter& parameter) {
-    switch (parameter.kind) {
-        case Kind::number:
-            return wanted_quantity(parameter.unit);
-        case Kind::integer:
-            return "a whole number without a unit";
-        case Kind::text:
-            return "text";
-        case Kind::choice:
-            return "one of " + list_of(words_of(parameter.choices));
-        case Kind::file:
-            return "the name of a file inside the scene's folder tree";
-        case Kind::vector3:
-            return "a list of three [x, y, z], each " + wanted_quantity(parameter.unit);
-        case Kind::records:
-            break;
-    }
-    return "a list of maps";
-}
 
 /// One value on its way from the tree to the parameters: what it is called, where it stands, what it means.
 class ValueReader {
@@ -78,22 +51,11 @@ private:
     }
     std::nullopt_t complain_of_shape() { return complain(node_.description(), wanted_by(declared_)); }
 
-    /// "more than 0 m and at most 1 m", empty where `value` is in range.
-    [[nodiscard]] std::string range_missed(double value) const {
+    [[nodiscard]] bool in_range(double value) const {
         const Range& range = declared_.range;
         const bool above = range.open_below ? value > range.least : value >= range.least;
         const bool below = range.open_above ? value < range.greatest : value <= range.greatest;
-        if (above && below) return "";
-        const std::string_view unit = declared_.unit;
-        const std::string shown_unit = unit.empty() || unit == "1" ? "" : fmt::format(" {}", unit);
-        std::vector<std::string> bounds;
-        const auto bound = [&](bool open, const char* open_words, const char* closed_words, double limit) {
-            if (std::isfinite(limit))
-                bounds.push_back(fmt::format("{} {:g}{}", open ? open_words : closed_words, limit, shown_unit));
-        };
-        bound(range.open_below, "more than", "at least", range.least);
-        bound(range.open_above, "less than", "at most", range.greatest);
-        return fmt::format("{}", fmt::join(bounds, " and "));
+        return above && below;
     }
 
     Value number() {
@@ -106,8 +68,7 @@ private:
             return std::nullopt;
         }
         if (!quantity.problem.empty()) return complain(quantity.problem, wanted_by(declared_));
-        const std::string missed = range_missed(quantity.value);
-        if (!missed.empty()) return complain(node_.description(), missed);
+        if (!in_range(quantity.value)) return complain(node_.description(), bounds_of(declared_));
         return quantity.value;
     }
 
@@ -117,8 +78,7 @@ private:
         const char* const end = node_.text.data() + node_.text.size();
         const auto [stop, error] = std::from_chars(node_.text.data(), end, value);
         if (error != std::errc{} || stop != end) return complain_of_shape();
-        const std::string missed = range_missed(static_cast<double>(value));
-        if (!missed.empty()) return complain(node_.description(), missed);
+        if (!in_range(static_cast<double>(value))) return complain(node_.description(), bounds_of(declared_));
         return value;
     }
 
@@ -129,7 +89,7 @@ private:
 
     Value choice() {
         if (node_.shape != Shape::scalar) return complain_of_shape();
-        const std::vector<std::string> words = words_of(declared_.choices);
+        const std::vector<std::string> words = choices_of(declared_);
         if (std::ranges::find(words, node_.text) != words.end()) return node_.text;
         return complain(node_.description(), wanted_by(declared_), suggestion(node_.text, words));
     }

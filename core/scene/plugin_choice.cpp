@@ -3,6 +3,7 @@
 #include "core/loading/plugin_library.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace stylet::core {
 namespace {
@@ -37,10 +38,12 @@ Choice read_type(const ValueTree& map, const std::string& path, Role role, Readi
     return choice;
 }
 
-std::vector<std::string> with_type(const std::vector<std::string>& common) {
-    std::vector<std::string> known{"type"};
-    known.insert(known.end(), common.begin(), common.end());
-    return known;
+/// The keys of a section that are core's own.
+std::vector<std::string> own_keys(const Section& section) {
+    std::vector<std::string> keys{"type"};
+    std::ranges::copy(names_of(section.keys), std::back_inserter(keys));
+    if (section.part != nullptr) keys.emplace_back(section.part->key);
+    return keys;
 }
 
 Parameters read_own_map(const ValueTree& map, const std::string& path, const PluginLibrary& library, Reading& reading) {
@@ -65,35 +68,44 @@ void check_other_map(const ValueTree::Entry& entry, const std::string& path, Rol
     }
 }
 
-}    // namespace
-
-Choice read_inline_choice(const ValueTree& map, const std::string& path, Role role, const std::vector<std::string>& common,
-                          Reading& reading) {
-    Choice choice = read_type(map, path, role, reading);
-    if (choice.type.empty()) return choice;
-    const auto library = open_plugin(choice.type, role, choice.place, join(path, "type"), reading);
-    if (!library) return choice;
-    choice.parameters = read_parameters(map, path, declarations(*library), reading);
-    std::vector<std::string> known = with_type(common);
-    std::ranges::copy(names_of(declarations(*library)), std::back_inserter(known));
-    refuse_unknown_keys(map, path, known, reading);
-    return choice;
+/// Parameters beside the `type`.
+void read_beside(const ValueTree& map, const PluginLibrary& library, std::vector<std::string> known, Choice& choice,
+                 Reading& reading) {
+    choice.parameters = read_parameters(map, choice.path, declarations(library), reading);
+    std::ranges::copy(names_of(declarations(library)), std::back_inserter(known));
+    refuse_unknown_keys(map, choice.path, known, reading);
 }
 
-Choice read_swappable_choice(const ValueTree& map, const std::string& path, Role role, const std::vector<std::string>& common,
-                             Reading& reading) {
-    Choice choice = read_type(map, path, role, reading);
-    const std::vector<std::string> known = with_type(common);
+/// Parameters in a map named after the plugin.
+void read_within(const ValueTree& map, const PluginLibrary& library, Choice& choice, Reading& reading) {
+    const ValueTree nothing_given(ValueTree::Shape::map, map.place);
+    const ValueTree* own = map.find(choice.type);
+    choice.parameters = read_own_map(own == nullptr ? nothing_given : *own, join(choice.path, choice.type), library, reading);
+}
+
+void check_other_maps(const ValueTree& map, const Choice& choice, Role role, const std::vector<std::string>& known,
+                      Reading& reading) {
     for (const ValueTree::Entry& entry : map.entries) {
         const bool other = entry.key != choice.type && std::ranges::find(known, entry.key) == known.end();
-        if (other) check_other_map(entry, path, role, known, reading);
+        if (other) check_other_map(entry, choice.path, role, known, reading);
     }
+}
+
+}    // namespace
+
+Choice read_choice(const ValueTree& map, const std::string& path, const Section& section, Reading& reading) {
+    const Role role = section.role.value();
+    Choice choice = read_type(map, path, role, reading);
+    const std::vector<std::string> known = own_keys(section);
+    if (section.swappable) check_other_maps(map, choice, role, known, reading);
     if (choice.type.empty()) return choice;
     const auto library = open_plugin(choice.type, role, choice.place, join(path, "type"), reading);
     if (!library) return choice;
-    const ValueTree nothing_given(ValueTree::Shape::map, map.place);
-    const ValueTree* own = map.find(choice.type);
-    choice.parameters = read_own_map(own == nullptr ? nothing_given : *own, join(path, choice.type), *library, reading);
+    if (section.swappable) {
+        read_within(map, *library, choice, reading);
+    } else {
+        read_beside(map, *library, known, choice, reading);
+    }
     return choice;
 }
 

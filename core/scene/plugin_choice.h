@@ -2,18 +2,13 @@
 #pragma once
 
 #include "core/scene/parameter_reader.h"
-
-#include <stylet/plugin.h>
+#include "core/scene/scene_format.h"
 
 namespace stylet::core {
 
-/// A plugin whose parameters stand beside its `type`, together with keys of core's (`common`, read by the caller).
-[[nodiscard]] Choice read_inline_choice(const ValueTree& map, const std::string& path, Role role,
-                                        const std::vector<std::string>& common, Reading& reading);
-
-/// A plugin whose parameters stand in a map named after it, beside keys of core's (`common`, read by the caller) and the maps of
-/// other plugins of the role, which are checked too: swapping is one word.
-[[nodiscard]] Choice read_swappable_choice(const ValueTree& map, const std::string& path, Role role,
-                                           const std::vector<std::string>& common, Reading& reading);
+/// The plugin that `map`, standing at `path`, names as its `type`, with its parameters: beside the `type`, together with the
+/// section's own keys (read by the caller); of a swappable section in a map named after it, beside the maps of other plugins of
+/// the role, which are checked too: swapping is one word. `section` has a role.
+[[nodiscard]] Choice read_choice(const ValueTree& map, const std::string& path, const Section& section, Reading& reading);
 
 }    // namespace stylet::core

@@ -1,12 +1,16 @@
 #include "core/scene/reader.h"
 
 #include "core/run/sample.h"
-#include "core/scene/common_keys.h"
 #include "core/scene/overrides.h"
+#include "core/scene/scene_format.h"
 #include "core/scene/scene_hash.h"
 #include "core/scene/sections.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace stylet::core {
 namespace {
@@ -39,39 +43,29 @@ void check_version(const ValueTree& root, Reading& reading) {
 }
 
 using ReadSection = void (*)(const ValueTree&, Reading&, Scene&);
-struct Section {
-    const char* key;
-    const char* meaning;
-    ReadSection read;
+constexpr std::pair<const Section*, ReadSection> readers[] = {
+    {&tissue_section, read_tissue},     {&needle_section, read_needle}, {&device_section, read_device},
+    {&coupling_section, read_coupling}, {&run_section, read_run},       {&effects_section, read_effects},
+    {&record_section, read_record},
 };
-constexpr Section maps[] = {
-    {"tissue", "the tissue and its layers", read_tissue},
-    {"needle", "the needle", read_needle},
-    {"device", "what moves the needle's base", read_device},
-    {"coupling", "how needle and tissue meet", read_coupling},
-    {"run", "how fast and how long", read_run},
-};
-constexpr Section lists[] = {
-    {"effects", "", read_effects},
-    {"record", "", read_record},
-};
+static_assert(std::ranges::equal(sections, readers, {}, {}, [](const auto& reader) { return reader.first; }));
 
 /// What the sections that are there ask for, and what has no place beside those that are not.
 void check_sections(const ValueTree& root, Reading& reading) {
     const auto has = [&](const char* key) { return root.find(key) != nullptr; };
-    const auto want = [&](const char* key, const std::string& wanted) {
-        if (!has(key)) miss_key(root, key, wanted, reading);
+    const auto want = [&](const Section& section, const char* otherwise = "") {
+        if (!has(section.key)) miss_key(root, section.key, fmt::format("a map ({}){}", section.meaning, otherwise), reading);
     };
     const auto refuse_beside = [&](const char* key, const std::string& sentence) {
         if (const ValueTree* section = root.find(key)) reading.complaints.add(section->place, key, sentence);
     };
     const bool tissue = has("tissue"), needle = has("needle");
-    want("run", "a map (how fast and how long)");
+    want(run_section);
     if (!tissue && !needle) {
-        want("tissue", "a map (the tissue and its layers), or a needle, or both");
+        want(tissue_section, ", or a needle, or both");
     } else if (tissue && needle) {
-        want("device", "a map (what moves the needle's base)");
-        want("coupling", "a map (how needle and tissue meet)");
+        want(device_section);
+        want(coupling_section);
     } else if (needle) {
         refuse_beside("coupling", "found a coupling, wanted none: there is no 'tissue' for the needle to meet");
     } else {
@@ -85,15 +79,15 @@ void check_sections(const ValueTree& root, Reading& reading) {
 }
 
 void read_sections(const ValueTree& root, Reading& reading, Scene& scene) {
-    std::vector<std::string> known{"stylet", "title"};
-    for (const auto& [key, meaning, read] : maps) {
-        known.emplace_back(key);
-        const ValueTree* map = root.find(key);
-        if (map != nullptr && is_map(*map, key, meaning, reading)) read(*map, reading, scene);
-    }
-    for (const Section& section : lists) {
-        known.emplace_back(section.key);
-        if (const ValueTree* list = root.find(section.key)) section.read(*list, reading, scene);
+    std::vector<std::string> known{"stylet"};
+    std::ranges::copy(names_of(scene_keys), std::back_inserter(known));
+    for (const auto& [section, read] : readers) {
+        known.emplace_back(section->key);
+        const ValueTree* found = root.find(section->key);
+        if (found == nullptr) continue;
+        const bool of_its_shape =
+            section->shape != Section::Shape::map || is_map(*found, section->key, section->meaning, reading);
+        if (of_its_shape) read(*found, reading, scene);
     }
     check_sections(root, reading);
     refuse_unknown_keys(root, "", known, reading);

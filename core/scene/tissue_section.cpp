@@ -1,4 +1,3 @@
-#include "core/scene/common_keys.h"
 #include "core/scene/plugin_choice.h"
 #include "core/scene/sections.h"
 
@@ -69,7 +68,7 @@ void stack(std::vector<Layer>& layers, double height, Reading& reading) {
 }    // namespace
 
 void read_tissue(const ValueTree& map, Reading& reading, Scene& scene) {
-    scene.tissue = read_swappable_choice(map, "tissue", Role::tissue, names_of(tissue_keys), reading);
+    scene.tissue = read_choice(map, "tissue", tissue_section, reading);
     const Parameters keys = read_parameters(map, "tissue", tissue_keys, reading);
     TissueSetup& tissue = scene.tissue_setup.emplace();
     if (keys.has("extent")) tissue.extent = keys.vector3("extent");
