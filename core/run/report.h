@@ -3,6 +3,8 @@
 
 #include "core/run/sample.h"
 
+#include <stylet/patch.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -30,6 +32,19 @@ struct LedgerReport {
     Sample totals;
 };
 
+/// A patch of the tissue's surface that an effect loads.
+struct LoadedPatch {
+    std::string effect;    // its path in the scene, for instance effects[1]
+    Patch patch;
+    std::vector<Vector3> force;           // [N] one for each time
+    std::vector<Vector3> displacement;    // [m] mean of the patch, one for each time
+};
+
+struct PatchReport {
+    std::vector<double> times;    // [s] of every tick; none where nothing is loaded
+    std::vector<LoadedPatch> patches;
+};
+
 struct TickReport {
     double median = 0.0, p99 = 0.0, max = 0.0;    // [µs] wall time, after a warm-up
 };
@@ -42,6 +57,8 @@ struct RunReport {
     double largest_deflection = 0.0;    // [m]
     std::vector<BucklingReport> buckling;
     LedgerReport ledger;
+    PatchReport loads;
+    bool has_needle = true, has_tissue = true;    // what the scene names
     TickReport tick_us;
     std::size_t ticks = 0;
     double duration = 0.0;    // [s]

@@ -1,5 +1,6 @@
 #include "core/run/run.h"
 
+#include "core/run/patch_record.h"
 #include "core/run/recorder.h"
 #include "core/run/simulation.h"
 
@@ -53,9 +54,11 @@ private:
 /// Collects what a report says from tick to tick.
 class Reporter {
 public:
-    Reporter(const Scene& scene, const Cast& cast) {
+    Reporter(const Scene& scene, const Cast& cast, std::size_t ticks) : patches_(scene, cast, ticks) {
         report_.title = scene.title;
         report_.hash = scene.hash;
+        report_.has_needle = scene.needle.has_value();
+        report_.has_tissue = scene.tissue.has_value();
         for (const auto& library : cast.libraries()) report_.libraries.push_back(library.string());
     }
 
@@ -64,6 +67,7 @@ public:
         report_.peak_hand_force = std::max(report_.peak_hand_force, sample.hand_force);
         report_.largest_deflection = std::max(report_.largest_deflection, sample.deflection);
         for (const Event& event : simulation.events()) note(event);
+        patches_.take(simulation);
         if (!simulation.ever_punctured()) report_.ledger.relative_pushing = relative(simulation.ledger());
     }
 
@@ -75,6 +79,7 @@ public:
         report_.ledger.peak_work = simulation.ledger().peak_work();
         report_.ledger.relative = relative(simulation.ledger());
         report_.ledger.totals = last;
+        report_.loads = patches_.report();
         report_.tick_us = watch.report();
         report_.ticks = ticks;
         report_.duration = last.time;
@@ -96,6 +101,7 @@ private:
     }
 
     RunReport report_;
+    PatchRecord patches_;
 };
 
 }    // namespace
@@ -104,7 +110,7 @@ RunReport run(const Scene& scene, const PluginFolders& folders, const RunOptions
     const Cast cast(scene, folders);
     const auto ticks = static_cast<std::size_t>(std::llround(duration_of(scene, cast) * scene.run.rate));
     Simulation simulation(scene, cast);
-    Reporter reporter(scene, cast);
+    Reporter reporter(scene, cast, ticks);
     Stopwatch watch(ticks);
     std::optional<Recorder> recorder;
     if (options.recording) {
