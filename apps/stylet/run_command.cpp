@@ -1,4 +1,7 @@
+#include "core/export/scene_series.h"
 #include "core/run/run.h"
+#include "core/scene/complaints.h"
+#include "core/scene/units.h"
 
 #include "apps/stylet/command.h"
 #include "apps/stylet/failure.h"
@@ -11,6 +14,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace stylet::app {
 namespace {
@@ -20,6 +24,8 @@ namespace fs = std::filesystem;
 constexpr const char* examples =
     R"(Runs each scene to its end and writes FOLDER/<scene>.csv, a row for each tick, while it goes. Ends with a
 summary: events, peak force, when the needle buckled and at what load, the energy ledger, the time a tick took.
+With --vtu it also leaves pictures for ParaView and its kin: FOLDER/<scene>_tissue.pvd, _needle.pvd and _contacts.pvd, each an
+animation. Tissue is drawn where it is; its points minus its array `displacement` are where it was undeformed.
 Plugins are looked for in each --plugin-dir, then in the folders of STYLET_PLUGIN_PATH, then in the install.
 
 Examples:
@@ -27,6 +33,7 @@ Examples:
   stylet run scenes/paper/fig10a_l*.yaml --out results
   stylet run scenes/paper/fig9.yaml --set needle.length='180 mm' --set 'effects[0].rupture_force=0.7 N' --json fig9.json
   stylet run scenes/paper/fig9.yaml --json - | python3 -m json.tool
+  stylet run scenes/paper/fig9.yaml --vtu pictures --vtu-rate '100 Hz'
 
 Exit codes: 0 ok, 1 a run ended with a fault, 2 a scene is wrong (nothing is run then), 3 wrong command line,
 4 a file cannot be written.)";
@@ -35,6 +42,8 @@ struct RunArguments {
     SceneArguments scenes;
     std::string out = "out";
     std::string json;
+    std::string vtu;
+    std::string vtu_rate = "25 Hz";
     bool quiet = false;
 };
 
@@ -73,14 +82,43 @@ std::vector<core::Scene> read_all(const SceneArguments& arguments) {
     return scenes;
 }
 
-FinishedRun run_one(const core::Scene& scene, const std::string& name, const fs::path& recording, const RunArguments& arguments) {
+/// What --vtu asks for.
+struct Pictures {
+    fs::path folder;
+    double rate;    // [Hz]
+};
+
+std::optional<Pictures> pictures_of(const RunArguments& arguments) {
+    if (arguments.vtu.empty()) return std::nullopt;
+    const core::Quantity rate = core::read_quantity(arguments.vtu_rate, "Hz");
+    if (!rate.problem.empty() || !(rate.value > 0.0)) {
+        const std::string found = rate.problem.empty() ? core::quote(arguments.vtu_rate) : rate.problem;
+        throw Failure(ExitCode::wrong_command,
+                      fmt::format("--vtu-rate: found {}, wanted {}, above 0", found, core::wanted_quantity("Hz")));
+    }
+    return Pictures{arguments.vtu, rate.value};
+}
+
+std::optional<FinishedSeries> finished(const std::optional<core::SceneSeries>& series) {
+    if (!series) return std::nullopt;
+    return FinishedSeries{.files = series->files(), .moments = series->moments(), .period = series->period()};
+}
+
+FinishedRun run_one(const core::Scene& scene, const std::string& name, const fs::path& recording,
+                    const std::optional<Pictures>& pictures, const RunArguments& arguments) {
     ProgressBar bar(name);
     core::RunOptions options;
     options.recording = recording;
     if (!arguments.quiet) options.progress = [&bar](double fraction) { bar.show(fraction); };
     try {
-        return {name, recording.string(), core::run(scene, arguments.scenes.folders(), options)};
-    } catch (const Error& error) {    // with a key it is the scene's fault, without one the recording's
+        std::optional<core::SceneSeries> series;
+        if (pictures) {
+            series.emplace(scene, pictures->folder, fs::path(name).stem().string(), pictures->rate);
+            options.observe = [&series](const core::Simulation& simulation) { series->observe(simulation); };
+        }
+        core::RunReport report = core::run(scene, arguments.scenes.folders(), options);
+        return {name, recording.string(), std::move(report), finished(series)};
+    } catch (const Error& error) {    // with a key it is the scene's fault, without one a file's
         if (error.key().empty()) throw Failure(ExitCode::missing, error.what());
         throw Failure(ExitCode::wrong_input, fmt::format("{}: {}: {}", name, error.key(), error.what()));
     }
@@ -104,14 +142,16 @@ ExitCode run_all(const RunArguments& arguments) {
         throw Failure(ExitCode::wrong_command, fmt::format("--json: found {} scenes, wanted one", names.size()));
     }
     const std::vector<fs::path> recordings = recordings_of(arguments);
+    const std::optional<Pictures> pictures = pictures_of(arguments);
     const std::vector<core::Scene> scenes = read_all(arguments.scenes);
     make_folder(arguments.out);
+    if (pictures) make_folder(pictures->folder);
     for (const fs::path& recording : recordings) expect_writable(recording);
     if (!arguments.json.empty() && arguments.json != "-") expect_writable(arguments.json);
 
     bool fault = false;
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-        const FinishedRun run = run_one(scenes[i], names[i], recordings[i], arguments);
+        const FinishedRun run = run_one(scenes[i], names[i], recordings[i], pictures, arguments);
         report(run, arguments, i == 0);
         fault |= ended_in_fault(run.report);
     }
@@ -128,6 +168,12 @@ Command run_command(CLI::App& line) {
     options->add_option("--out", arguments->out, "Folder for the recordings")->type_name("FOLDER")->capture_default_str();
     options->add_option("--json", arguments->json, "The summary of the one scene as JSON; - for stdout, without the text")
         ->type_name("FILE");
+    CLI::Option* vtu = options->add_option("--vtu", arguments->vtu, "Folder for VTU and PVD files of tissue and needle");
+    vtu->type_name("FOLDER");
+    options->add_option("--vtu-rate", arguments->vtu_rate, "How many of them a simulated second; whole ticks lie between two")
+        ->type_name("RATE")
+        ->needs(vtu)
+        ->capture_default_str();
     options->add_flag("--quiet", arguments->quiet, "No progress bar and no summary");
     return {options, [arguments] { return run_all(*arguments); }};
 }

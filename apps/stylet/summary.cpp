@@ -76,6 +76,17 @@ std::string ledger_text(const core::LedgerReport& ledger) {
                        ledger.relative, ledger.relative_pushing);
 }
 
+/// "pictures/fig9_tissue.pvd, …_needle.pvd (201 moments, 0.04 s apart)"
+std::string series_text(const FinishedSeries& series) {
+    std::vector<std::string> names;
+    for (const std::filesystem::path& file : series.files) {
+        const std::string name = file.filename().string();
+        names.push_back(names.empty() ? file.string() : "…" + name.substr(name.rfind('_')));
+    }
+    return fmt::format("{} ({} moment{}, {:g} s apart)", fmt::join(names, ", "), series.moments, series.moments == 1 ? "" : "s",
+                       series.period);
+}
+
 std::string cost_text(const FinishedRun& run) {
     const core::RunReport& report = run.report;
     Table table({Align::left, Align::left});
@@ -83,6 +94,7 @@ std::string cost_text(const FinishedRun& run) {
                                    microseconds(report.tick_us.p99), microseconds(report.tick_us.max))});
     table.add({"simulated", fmt::format("{} in {} ticks", seconds(report.duration), report.ticks)});
     table.add({"recording", run.recording});
+    if (run.series) table.add({"series", series_text(*run.series)});
     return table.text(2);
 }
 

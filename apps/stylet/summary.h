@@ -3,14 +3,25 @@
 
 #include "core/run/report.h"
 
+#include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace stylet::app {
+
+/// Pictures for other tools.
+struct FinishedSeries {
+    std::vector<std::filesystem::path> files;    // PVD
+    int moments;                                 // in each of them
+    double period;                               // [s] from one to the next
+};
 
 struct FinishedRun {
     std::string scene;        // as the user named it
     std::string recording;    // path of the CSV
     core::RunReport report;
+    std::optional<FinishedSeries> series{};
 };
 
 [[nodiscard]] std::string summary_text(const FinishedRun& run);
