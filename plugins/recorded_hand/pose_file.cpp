@@ -47,7 +47,7 @@ std::array<double, columns> read_row(std::string_view text, int line) {
     return row;
 }
 
-RecordedHand::Key key_of(const std::array<double, columns>& row, int line) {
+PoseKey key_of(const std::array<double, columns>& row, int line) {
     Quaternion rotation(row[4], row[5], row[6], row[7]);
     const double norm = rotation.norm();
     if (!(std::abs(norm - 1.0) <= unit_tolerance)) {
@@ -59,7 +59,7 @@ RecordedHand::Key key_of(const std::array<double, columns>& row, int line) {
 
 }    // namespace
 
-std::vector<RecordedHand::Key> read_pose_file(const std::string& path) {
+std::vector<PoseKey> read_pose_file(const std::string& path) {
     std::ifstream stream(path);
     if (!stream) throw Error("file", "cannot read \"" + path + "\"");
     std::string text;
@@ -77,10 +77,10 @@ std::vector<RecordedHand::Key> read_pose_file(const std::string& path) {
         refuse(line,
                "found " + (text.empty() ? "nothing" : quoted(text)) + ", wanted the header \"" + std::string(header) + "\"");
     }
-    std::vector<RecordedHand::Key> keys;
+    std::vector<PoseKey> keys;
     while (next_line()) {
         if (text.empty()) refuse(line, "found an empty line, wanted a pose");
-        const RecordedHand::Key key = key_of(read_row(text, line), line);
+        const PoseKey key = key_of(read_row(text, line), line);
         if (key.time < 0.0) refuse(line, "found a negative time, wanted times from 0 on");
         if (!keys.empty() && key.time <= keys.back().time) {
             refuse(line, "found a time that is not after the line before, wanted times that rise");
