@@ -4,8 +4,9 @@
 namespace stylet {
 
 /// Shares a loop out among threads. The tasks of one run should be of like size, and a few for each thread: 16 of 20 µs, not
-/// 2 of 160 µs nor 3000 of 0.1 µs. Let every task write what no other task reads or writes, and the result is the same, bit for
-/// bit, however many threads there are.
+/// 2 of 160 µs nor 3000 of 0.1 µs; to wake a thread that sleeps may cost 20 µs, so a loop of less than 100 µs is better not
+/// shared. Let every task write what no other task reads or writes, and the result is the same, bit for bit, however many
+/// threads there are.
 class Workers {
 public:
     Workers() = default;
