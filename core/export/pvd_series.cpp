@@ -25,6 +25,7 @@ PvdSeries::PvdSeries(const std::filesystem::path& folder, const std::string& nam
     : name_(name), file_(folder / (name + ".pvd")) {
     errno = 0;
     out_.open(file_, std::ios::binary | std::ios::trunc);
+    if (!out_) cannot_write();
     write(0, std::string(opening) + closing);
     end_ = static_cast<std::streamoff>(std::strlen(opening));
 }
@@ -44,7 +45,11 @@ void PvdSeries::write(std::streamoff where, const std::string& text) {
     errno = 0;
     out_.seekp(where);
     out_ << text << std::flush;
-    if (!out_) throw Error(fmt::format("{}: cannot be written: {}", file_.string(), std::strerror(errno)));
+    if (!out_) cannot_write();
+}
+
+void PvdSeries::cannot_write() const {
+    throw Error(fmt::format("{}: cannot be written: {}", file_.string(), std::strerror(errno)));
 }
 
 }    // namespace stylet::core

@@ -24,6 +24,7 @@ public:
 
 private:
     void write(std::streamoff where, const std::string& text);
+    [[noreturn]] void cannot_write() const;
 
     std::string name_;
     std::filesystem::path file_;
