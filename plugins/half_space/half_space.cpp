@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace stylet::half_space {
 
@@ -17,6 +18,8 @@ constexpr double independence = 1e-9;
 constexpr int column_padding = 8;
 // [m] A point this close above the surface is on it: rounding must not push a touching tip out of the tissue.
 constexpr double surface_tolerance = 1e-9;
+constexpr double sharp = 1e-9;    // [m] over which interfaces are blended where there is no needle to feel them
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double common_poisson_ratio(const TissueSetup& tissue) {
     const double first = tissue.layers.front().poisson_ratio;
@@ -30,6 +33,18 @@ double common_poisson_ratio(const TissueSetup& tissue) {
     return first;
 }
 
+double radius_of(const NeedleSetup* needle) {
+    return needle == nullptr ? 0.0 : needle->radius;
+}
+
+// How many points share a contact's force, and where the i-th of them is.
+int samples_of(const ContactPoint& point) {
+    return point.tip ? 1 : shaft_samples;
+}
+Vector3 sample(const ContactPoint& point, int i) {
+    return point.material + (i + 0.5) / samples_of(point) * point.span;
+}
+
 // The needle's arclength at a contact means nothing to the tissue.
 bool same_tissue(const ContactPoint& a, const ContactPoint& b) {
     return a.material == b.material && a.span == b.span && a.tip == b.tip;
@@ -39,30 +54,53 @@ bool same_tissue(const ContactPoint& a, const ContactPoint& b) {
 
 HalfSpace::HalfSpace(const Setup& setup)
     : setup_(*setup.tissue),
-      kernel_(common_poisson_ratio(*setup.tissue), setup.needle->radius),
-      radius_(setup.needle->radius),
-      patches_(max_contacts),
+      kernel_(common_poisson_ratio(*setup.tissue), radius_of(setup.needle)),
+      radius_(radius_of(setup.needle)),
+      footprints_(max_contacts),
+      patches_(setup_, 0.5 * kernel_.blur()),
       free_(3 * max_contacts),
       compliance_(MatrixX::Zero(3 * max_contacts + column_padding, 3 * max_contacts)),
-      displacement_(3 * max_contacts) {
+      displacement_(3 * max_contacts),
+      shift_(3 * max_contacts) {
     for (const Layer& layer : setup_.layers) {
         bottoms_.push_back((bottoms_.empty() ? 0.0 : bottoms_.back()) + layer.thickness);
     }
     bottoms_.back() = setup_.extent.z();
-    for (Patch& patch : patches_) patch.samples.resize(shaft_samples);
+    for (Footprint& footprint : footprints_) footprint.samples.resize(shaft_samples);
+    trial_.spare = state_.spare = infinity;
+    trial_.contacts.reserve(max_contacts);
+    state_.contacts.reserve(max_contacts);
 }
 
-void HalfSpace::place(Patch& patch, const ContactPoint& point) const {
-    patch.point = point;
-    patch.count = point.tip ? 1 : shaft_samples;
-    for (int i = 0; i < patch.count; ++i) {
-        patch.samples[i] = point.material + (i + 0.5) / patch.count * point.span;
-    }
+void HalfSpace::bear(std::span<const Patch> patches) {
+    patches_.place(patches);
+    next_load_ = VectorX::Zero(3 * patches_.count());
+    for (State* state : {&trial_, &state_}) state->load = state->patches_moved = next_load_;
+    known_ = 0;
+}
+
+void HalfSpace::load(std::span<const Vector3> forces) {
+    for (std::size_t i = 0; i < forces.size(); ++i) next_load_.segment<3>(3 * static_cast<Eigen::Index>(i)) = forces[i];
+}
+
+void HalfSpace::predict(double /*dt: no inertia*/) {
+    trial_.load = next_load_;
+}
+
+void HalfSpace::rollback() {
+    trial_ = state_;
+    next_load_ = state_.load;
+}
+
+void HalfSpace::place(Footprint& footprint, const ContactPoint& point) const {
+    footprint.point = point;
+    footprint.count = samples_of(point);
+    for (int i = 0; i < footprint.count; ++i) footprint.samples[i] = sample(point, i);
     const Vector3 middle = point.material + 0.5 * point.span;
-    patch.weight = 1.0 / (patch.count * std::sqrt(modulus_at(-middle.z())));
+    footprint.weight = 1.0 / (footprint.count * std::sqrt(modulus_at(-middle.z())));
 }
 
-Matrix3 HalfSpace::block(const Patch& i, const Patch& j) const {
+Matrix3 HalfSpace::block(const Footprint& i, const Footprint& j) const {
     Matrix3 sum = Matrix3::Zero();
     for (int a = 0; a < i.count; ++a) {
         for (int b = 0; b < j.count; ++b) sum += kernel_(i.samples[a], j.samples[b]);
@@ -71,31 +109,42 @@ Matrix3 HalfSpace::block(const Patch& i, const Patch& j) const {
 }
 
 void HalfSpace::fill(int row, int count) {
-    const Patch& patch = patches_[row];
+    const Footprint& footprint = footprints_[row];
     for (int other = 0; other < count; ++other) {
         if (other == row) continue;
-        const Matrix3 mutual = block(patch, patches_[other]);
+        const Matrix3 mutual = block(footprint, footprints_[other]);
         compliance_.block<3, 3>(3 * row, 3 * other) = mutual;
         compliance_.block<3, 3>(3 * other, 3 * row) = mutual.transpose();
     }
-    const Matrix3 self = block(patch, patch);
+    const Matrix3 self = block(footprint, footprint);
     compliance_.block<3, 3>(3 * row, 3 * row) = 0.5 * (1.0 + independence) * (self + self.transpose());
-    if (patch.point.tip) {    // the open track behind the tip: never stiffer than a punch on the surface
-        const Vector3 surface = patch.weight * patch.weight * kernel_(Vector3::Zero(), Vector3::Zero()).diagonal();
+    if (footprint.point.tip) {    // the open track behind the tip: never stiffer than a punch on the surface
+        const Vector3 surface = footprint.weight * footprint.weight * kernel_(Vector3::Zero(), Vector3::Zero()).diagonal();
         auto diagonal = compliance_.block<3, 3>(3 * row, 3 * row).diagonal();
         diagonal = diagonal.cwiseMax(surface);
     }
+    if (!patches_.none()) {
+        patches_.meet(row, {footprint.samples.data(), static_cast<std::size_t>(footprint.count)}, footprint.weight);
+    }
+}
+
+// Where the contacts would be if only the patches were loaded.
+void HalfSpace::shift_contacts(ContactPoints points) {
+    const auto count = static_cast<Eigen::Index>(points.size());
+    shift_.head(3 * count).noalias() = patches_.of_contacts(count) * trial_.load;
+    for (Eigen::Index i = 0; i < count; ++i) free_.segment<3>(3 * i) = points[i].material + shift_.segment<3>(3 * i);
 }
 
 Linearisation HalfSpace::linearise(ContactPoints points, double /*shift: no inertia*/) {
     const int count = static_cast<int>(points.size());
     for (int i = 0; i < count; ++i) {
-        if (i < known_ && same_tissue(patches_[i].point, points[i])) continue;
-        place(patches_[i], points[i]);
+        if (i < known_ && same_tissue(footprints_[i].point, points[i])) continue;
+        place(footprints_[i], points[i]);
         free_.segment<3>(3 * i) = points[i].material;
         fill(i, std::max(i + 1, std::min(known_, count)));
     }
     known_ = count;
+    if (!patches_.none()) shift_contacts(points);
     return {.free = {free_.data(), 3 * count},
             .compliance = {compliance_.data(), 3 * count, 3 * count, Eigen::OuterStride<>(compliance_.outerStride())},
             .negatives = 0};
@@ -105,23 +154,42 @@ StepReport HalfSpace::try_step(ContactPoints points, Forces forces) {
     const Linearisation now = linearise(points, 0.0);
     auto displacement = displacement_.head(forces.size());
     displacement.noalias() = now.compliance.selfadjointView<Eigen::Lower>() * forces;
-    trial_.energy = 0.5 * forces.dot(displacement);
-    trial_.dent = 0.0;
+    trial_.energy = 0.0;
+    trial_.spare = infinity;
+    if (!patches_.none()) {
+        const auto contacts = patches_.of_contacts(static_cast<Eigen::Index>(points.size()));
+        displacement += shift_.head(forces.size());
+        trial_.patches_moved.noalias() = patches_.own() * trial_.load;
+        trial_.patches_moved.noalias() += contacts.transpose() * forces;
+        trial_.energy = 0.5 * trial_.load.dot(trial_.patches_moved);
+        for (int i = 0; i < patches_.count(); ++i)
+            trial_.spare = std::min(trial_.spare, room_at(0.0) + trial_.patches_moved[3 * i + 2]);
+    }
+    trial_.energy += 0.5 * forces.dot(displacement);
+    trial_.contacts.clear();
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (!points[i].tip) continue;
-        trial_.dent = -displacement[3 * static_cast<Eigen::Index>(i) + 2];
-        trial_.room = room_at(-points[i].material.z());
+        const auto at = 3 * static_cast<Eigen::Index>(i);
+        trial_.contacts.push_back({.point = points[i], .force = forces.segment<3>(at)});
+        if (points[i].tip) trial_.spare = std::min(trial_.spare, room_at(-points[i].material.z()) + displacement[at + 2]);
     }
     return {};
 }
 
-Vector3 HalfSpace::displacement(const Vector3&) const {
-    return Vector3::Zero();
+Vector3 HalfSpace::displacement(const Vector3& material) const {
+    Vector3 sum = patches_.displacement(material, state_.load);
+    for (const Pressed& contact : state_.contacts) {
+        const int count = samples_of(contact.point);
+        Vector3 shares = Vector3::Zero();
+        for (int i = 0; i < count; ++i) shares += kernel_(material, sample(contact.point, i)) * contact.force;
+        const Vector3 middle = contact.point.material + 0.5 * contact.point.span;
+        sum += shares / (count * std::sqrt(modulus_at(-middle.z())));
+    }
+    return sum / std::sqrt(modulus_at(-material.z()));
 }
 
 // Geometric blend over a few radii on either side of each interface: a tip that crosses one feels it come.
 double HalfSpace::modulus_at(double depth) const {
-    const double half_width = interface_radii * radius_;
+    const double half_width = std::max(sharp, interface_radii * radius_);
     double modulus = setup_.layers.front().youngs_modulus;
     for (std::size_t i = 0; i + 1 < bottoms_.size(); ++i) {
         const double t = std::clamp(0.5 * (1.0 + (depth - bottoms_[i]) / half_width), 0.0, 1.0);
@@ -161,7 +229,7 @@ double HalfSpace::room_at(double depth) const {
 }
 
 const char* HalfSpace::beyond_validity() const {
-    if (state_.dent <= state_.room) return nullptr;
+    if (state_.spare >= 0.0) return nullptr;
     return setup_.layers.size() > 1 ? "beyond validity: the dent is deeper than the layer"
                                     : "beyond validity: the dent is deeper than the block";
 }
@@ -173,11 +241,14 @@ STYLET_PLUGIN(
     .summary = "The cheapest honest tissue: an elastic half-space, no mesh",
     .formula =
         "u_i = sum_j W_ij f_j\n"
-        "W_ij = mean over both pieces of track of K(x, y) / sqrt(E_i E_j)\n"
-        "K: Mindlin's point load, blurred to the needle's radius a; on the surface (1 - nu^2)/(2 a E)",
+        "W_ij = mean over both pieces of track, or loaded patches, of K(x, y) / sqrt(E_i E_j)\n"
+        "K: Mindlin's point load, blurred to the needle's radius a; on the surface (1 - nu^2)/(2 a E)\n"
+        "a square patch of side s under a force along z: mean displacement 0.9464 (1 - nu^2)/(s E) F",
     .source =
-        "Mindlin 1936; Selvadurai 1976 for the disc. Deviation: the blur, and at any depth the tip keeps at least the "
-        "compliance of a punch on the surface, because the track behind it is open",
+        "Mindlin 1936; Selvadurai 1976 for the disc; Love 1929, Dydo and Busby 1995 for loaded patches. Deviation: the "
+        "blur, and at any depth the tip keeps at least the compliance of a punch on the surface, because the track behind "
+        "it is open",
     .validity =
         "Small strain, quasi-static, one Poisson's ratio. Layers act by their local modulus: exact for one layer, blind "
-        "to what lies between two points. Sides and bottom of the block are not felt")
+        "to what lies between two points. Loaded patches are rectangles on the top and have the top layer's modulus. Sides "
+        "and bottom of the block are not felt")

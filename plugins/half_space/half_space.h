@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernel.h"
+#include "loaded_patches.h"
 
 #include <stylet/tissue_model.h>
 
@@ -17,21 +18,31 @@ namespace stylet::half_space {
 /// track. The tip keeps the compliance of a punch on the surface at every depth: the track behind it is open, so it doesn't feel
 /// the full space that an embedded disc would.
 ///
-/// Source: Mindlin 1936; Selvadurai 1976 for the disc. Validity: small strain, quasi-static, one Poisson ratio. Layers act by
-/// their local modulus, blended over four radii at an interface, a named approximation: exact for one layer, positive definite
-/// for any, blind to what lies between two points; a tip that crosses into a stiffer layer loses part of its dent and surges
-/// ahead. The block's sides and bottom are not felt: `extent` only says where the answer stops being vouched for.
+/// Patches of the surface that effects load are rectangles of uniform traction, solved in closed form (rectangle.h). They join
+/// the same W: a load moves the contacts, the contacts' forces move its patch, and the energy is ½ fᵀWf over all of them.
+///
+/// Source: Mindlin 1936; Selvadurai 1976 for the disc; Love 1929 for the rectangle. Validity: small strain, quasi-static, one
+/// Poisson ratio. Layers act by their local modulus, blended over four radii at an interface, a named approximation: exact for
+/// one layer, positive definite for any, blind to what lies between two points; a tip that crosses into a stiffer layer loses
+/// part of its dent and surges ahead. A patch has the modulus of the top layer, however far it reaches. The block's sides and
+/// bottom are not felt: `extent` only says where the answer stops being vouched for.
 class HalfSpace final : public TissueModel {
 public:
     explicit HalfSpace(const Setup& setup);
 
-    void predict(double) override {}    // no inertia, no load of its own
+    void predict(double) override;
     Linearisation linearise(ContactPoints points, double shift) override;
     StepReport try_step(ContactPoints points, Forces forces) override;
     void commit() override { state_ = trial_; }
-    void rollback() override { trial_ = state_; }
+    void rollback() override;
     EnergyReport energy() const override { return {.stored = trial_.energy}; }
 
+    void bear(std::span<const Patch> patches) override;
+    void load(std::span<const Vector3> forces) override;
+    Vector3 patch_displacement(int i) const override { return trial_.patches_moved.segment<3>(3 * i); }
+
+    /// As a contact of the needle's size would feel it there; finite at contacts and patches too. What lies above the surface or
+    /// beside the block is given as if it were tissue.
     Vector3 displacement(const Vector3& material) const override;
     Location locate(const Vector3& material) const override;
     double entry(const Vector3& from, const Vector3& to) const override;
@@ -42,21 +53,28 @@ public:
 
 private:
     /// A contact as the compliance sees it: a few points that share its force evenly.
-    struct Patch {
+    struct Footprint {
         ContactPoint point{};
         std::vector<Vector3> samples;
         int count = 0;
         double weight = 0.0;    // 1/(count √E)
     };
+    struct Pressed {
+        ContactPoint point;
+        Vector3 force;    // [N] on the tissue
+    };
     struct State {
         double energy = 0.0;    // [J] ½ fᵀWf
-        double dent = 0.0;      // [m] how far the tip pushes its point down
-        double room = 0.0;      // [m] how thick the tissue of the tip's modulus is
+        double spare = 0.0;     // [m] by how much a dent is less than the tissue of its modulus is thick; the least
+        std::vector<Pressed> contacts;
+        VectorX load;             // 3m, [N] on the patches
+        VectorX patches_moved;    // 3m, [m] the means of their displacements
     };
 
-    void place(Patch& patch, const ContactPoint& point) const;
-    Matrix3 block(const Patch& i, const Patch& j) const;
+    void place(Footprint& footprint, const ContactPoint& point) const;
+    Matrix3 block(const Footprint& i, const Footprint& j) const;
     void fill(int row, int count);
+    void shift_contacts(ContactPoints points);
     int layer_at(double depth) const;
     double modulus_at(double depth) const;
     double room_at(double depth) const;
@@ -65,11 +83,14 @@ private:
     Kernel kernel_;
     double radius_;                  // [m] of the needle
     std::vector<double> bottoms_;    // [m] depth of each layer's bottom
-    std::vector<Patch> patches_;
-    int known_ = 0;           // how many patches, from the first, the compliance is filled for
+    std::vector<Footprint> footprints_;
+    LoadedPatches patches_;
+    int known_ = 0;           // how many footprints, from the first, the compliance is filled for
     VectorX free_;            // 3n
     MatrixX compliance_;      // 3n × 3n
     VectorX displacement_;    // 3n, scratch of try_step
+    VectorX shift_;           // 3n, [m] of the contacts, by the patches' loads
+    VectorX next_load_;       // 3m, [N] from the next predict on
     State trial_, state_;
 };
 

@@ -24,6 +24,8 @@ public:
           blur_(2.0 * radius / std::numbers::pi),
           scale_((1.0 + poisson_ratio) / (8.0 * std::numbers::pi * (1.0 - poisson_ratio))) {}
 
+    [[nodiscard]] double blur() const { return blur_; }    // [m]
+
     /// Column j is the displacement at `x` for a unit force in direction j at `source`, times Young's modulus. Points above the
     /// surface count as on it.
     [[nodiscard]] Matrix3 operator()(const Vector3& x, const Vector3& source) const {
