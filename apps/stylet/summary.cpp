@@ -76,6 +76,17 @@ std::string ledger_text(const core::LedgerReport& ledger) {
                        ledger.relative, ledger.relative_pushing);
 }
 
+std::string hand_text(const std::optional<core::HandReport>& hand) {
+    if (!hand) return "";
+    const core::ForceChainCounts& chain = hand->force_chain;
+    Table table({Align::left, Align::left});
+    table.add({"force chain", fmt::format("soft start {}, magnitude {}, slew {}, stale {}, not finite {} ticks", chain.soft_start,
+                                          chain.magnitude, chain.slew, chain.stale, chain.not_finite)});
+    table.add({"passivity",
+               fmt::format("the device was never given back more than {}", quantity(-hand->least_port_energy * 1e6, 3, "µJ"))});
+    return table.text(2) + "\n";
+}
+
 /// "pictures/fig9_tissue.pvd, …_needle.pvd (201 moments, 0.04 s apart)"
 std::string series_text(const FinishedSeries& series) {
     std::vector<std::string> names;
@@ -101,8 +112,8 @@ std::string cost_text(const FinishedRun& run) {
 }    // namespace
 
 std::string summary_text(const FinishedRun& run) {
-    return fmt::format("{}\n  scene {}\n\n{}\n{}\n{}\n{}", run.report.title, run.scene, events_text(run.report),
-                       findings_text(run.report), ledger_text(run.report.ledger), cost_text(run));
+    return fmt::format("{}\n  scene {}\n\n{}\n{}\n{}\n{}{}", run.report.title, run.scene, events_text(run.report),
+                       findings_text(run.report), ledger_text(run.report.ledger), hand_text(run.report.hand), cost_text(run));
 }
 
 bool ended_in_fault(const core::RunReport& report) {

@@ -42,6 +42,16 @@ std::string summary_json(const FinishedRun& run) {
         buckling.push_back(
             {{"time", number(one.time)}, {"force", number(one.force)}, {"critical_load", number(one.critical_load)}});
     }
+    ordered_json hand = nullptr;
+    if (report.hand) {
+        const core::ForceChainCounts& chain = report.hand->force_chain;
+        hand = {{"soft_start_ticks", chain.soft_start},
+                {"magnitude_ticks", chain.magnitude},
+                {"slew_ticks", chain.slew},
+                {"stale_ticks", chain.stale},
+                {"not_finite_ticks", chain.not_finite},
+                {"least_port_energy", number(report.hand->least_port_energy)}};
+    }
     const core::TickReport& tick = report.tick_us;
     const ordered_json json{{"title", report.title},
                             {"scene", run.scene},
@@ -52,6 +62,7 @@ std::string summary_json(const FinishedRun& run) {
                             {"largest_deflection", number(report.largest_deflection)},
                             {"buckling", buckling},
                             {"ledger", ledger_json(report.ledger)},
+                            {"hand", hand},
                             {"tick_us", {{"median", number(tick.median)}, {"p99", number(tick.p99)}, {"max", number(tick.max)}}},
                             {"ticks", report.ticks},
                             {"duration", number(report.duration)},

@@ -1,11 +1,13 @@
 // What a whole run came to.
 #pragma once
 
+#include "core/device/force_chain.h"
 #include "core/run/sample.h"
 
 #include <stylet/patch.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,12 @@ struct LedgerReport {
     double relative = 0.0;            // largest |residual| on the way, over peak_work
     double relative_pushing = 0.0;    // the same until the first puncture
     Sample totals;
+};
+
+/// What a hand at the device met.
+struct HandReport {
+    ForceChainCounts force_chain;      // [ticks]
+    double least_port_energy = 0.0;    // [J] at most 0: what the simulation gave back beyond what it got
 };
 
 /// A patch of the tissue's surface that an effect loads.
@@ -57,6 +65,7 @@ struct RunReport {
     double largest_deflection = 0.0;    // [m]
     std::vector<BucklingReport> buckling;
     LedgerReport ledger;
+    std::optional<HandReport> hand;    // of a scene with a device
     PatchReport loads;
     bool has_needle = true, has_tissue = true;    // what the scene names
     TickReport tick_us;

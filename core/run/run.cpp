@@ -59,6 +59,7 @@ public:
         report_.hash = scene.hash;
         report_.has_needle = scene.needle.has_value();
         report_.has_tissue = scene.tissue.has_value();
+        has_hand_ = scene.device.has_value();
         for (const auto& library : cast.libraries()) report_.libraries.push_back(library.string());
     }
 
@@ -80,6 +81,8 @@ public:
         report_.ledger.relative = relative(simulation.ledger());
         report_.ledger.totals = last;
         report_.loads = patches_.report();
+        if (has_hand_)
+            report_.hand = {.force_chain = simulation.force_chain(), .least_port_energy = simulation.least_port_energy()};
         report_.tick_us = watch.report();
         report_.ticks = ticks;
         report_.duration = last.time;
@@ -102,6 +105,7 @@ private:
 
     RunReport report_;
     PatchRecord patches_;
+    bool has_hand_ = false;
 };
 
 }    // namespace

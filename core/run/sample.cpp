@@ -12,7 +12,7 @@ constexpr std::array columns{
     Column{"depth", "m", &Sample::depth, "of the tip below the undeformed surface", Column::Of::needle},
     Column{"inserted", "m", &Sample::inserted, "track that the tip has behind it", Column::Of::needle},
     Column{"hand_force", "N", &Sample::hand_force, "base reaction along the needle, positive in compression", Column::Of::needle},
-    Column{"device_force", "N", &Sample::device_force, "what the limiter lets through to the hand", Column::Of::needle},
+    Column{"device_force", "N", &Sample::device_force, "what the force chain lets through to the hand", Column::Of::needle},
     Column{"tip_force", "N", &Sample::tip_force, "on the tip, along the needle", Column::Of::needle},
     Column{"friction_force", "N", &Sample::friction_force, "of all shaft contacts, along the needle", Column::Of::needle},
     Column{"critical_load", "N", &Sample::critical_load, "of the free length", Column::Of::needle},
@@ -25,6 +25,8 @@ constexpr std::array columns{
     Column{"energy_force", "N", &Sample::energy_force, "Eq. (7) with friction, burst, released and numerical terms",
            Column::Of::needle},
     Column{"energy_force_printed", "N", &Sample::energy_force_printed, "Eq. (7) as the paper prints it", Column::Of::needle},
+    Column{"port_energy", "J", &Sample::port_energy, "that the device has put into the simulation, by what it felt",
+           Column::Of::needle},
     Column{"hand_work", "J", &Sample::hand_work, "work of the hand", Column::Of::needle},
     Column{"load_work", "J", &Sample::load_work, "work of prescribed loads"},
     Column{"stored", "J", &Sample::stored, "elastic energy of both bodies, since the start"},
@@ -40,7 +42,7 @@ constexpr std::array columns{
 };
 
 constexpr std::string_view ledger = "ledger";
-constexpr std::size_t first_energy = 15;    // hand_work; the energies run to the end
+constexpr std::size_t first_energy = 16;    // hand_work; the energies run to the end
 static_assert(std::string_view(columns[first_energy].name) == "hand_work");
 static_assert(sizeof(Sample) == columns.size() * sizeof(double), "a number of Sample has no column");
 

@@ -15,7 +15,7 @@ struct Sample {
     double depth = 0.0;                   // [m] of the tip below the undeformed surface
     double inserted = 0.0;                // [m] track that the tip has behind it
     double hand_force = 0.0;              // [N] what the simulation asks for
-    double device_force = 0.0;            // [N] what the limiter let through
+    double device_force = 0.0;            // [N] what the force chain lets through
     double tip_force = 0.0;               // [N]
     double friction_force = 0.0;          // [N] all shaft contacts, along the needle
     double critical_load = 0.0;           // [N]
@@ -25,6 +25,7 @@ struct Sample {
     double patch_displacement = 0.0;      // [m] mean of the loaded patches, along their forces
     double energy_force = 0.0;            // [N] Eq. (7) with friction, burst, released and numerical terms
     double energy_force_printed = 0.0;    // [N] Eq. (7) as the paper prints it
+    double port_energy = 0.0;             // [J] that the device has put into the simulation
     double hand_work = 0.0;               // [J] totals from here on
     double load_work = 0.0;               // [J]
     double stored = 0.0;                  // [J]

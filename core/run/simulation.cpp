@@ -44,7 +44,8 @@ Simulation::Simulation(const Scene& scene, const Cast& cast)
       effects_(cast.effects()),
       loads_(cast.effects(), cast.tissue()),
       contacts_(scene.tissue || !scene.needle ? Contacts(setup_.length, setup_.radius, spacing_) : Contacts(setup_)),
-      limiter_(cast.device().limits(), scene.force_limit) {
+      chain_(device_.limits(), scene.force_limit),
+      stale_after_(device_.limits().stale_after) {
     try {
         begin(device_.read(0.0).pose);
     } catch (...) {
@@ -82,11 +83,21 @@ void Simulation::tick() {
     time_ = static_cast<double>(++ticks_) * dt_;
     sample_.time = time_;
     try {    // a plugin may not throw here, but if it does the hand must not feel it
-        follow(device_.read(time_).pose);
+        take(device_.read(time_));
         write_to_device();
     } catch (...) {
         fault("fault: a plugin threw an exception");
     }
+}
+
+// A hand that was lost stays where it was last seen.
+void Simulation::take(const Reading& hand) {
+    const bool lost = !(hand.age <= stale_after_);
+    if (lost && !hand_lost_) raise("hand lost");
+    if (!lost && hand_lost_) raise("hand found");
+    hand_lost_ = lost;
+    if (makes_sense(hand.pose)) observer_.moved(hand.pose);
+    follow(hand.pose);
 }
 
 void Simulation::follow(const Pose& target) {
@@ -94,7 +105,7 @@ void Simulation::follow(const Pose& target) {
     const Balance books_before = ledger_.balance();
     if (!makes_sense(target)) {
         fault("fault: the device's pose is not finite");
-    } else if (!limiter_.faulted()) {
+    } else if (!chain_.faulted()) {
         const bool found = move_to(target, dt_, 0);
         if (!found && !lost_) raise("not converged");
         lost_ = !found;
@@ -207,7 +218,7 @@ void Simulation::announce_validity(const char* beyond, const char*& announced) {
 
 // Says it without asking a plugin anything, for a plugin may be what is at fault.
 void Simulation::fault(const char* name) {
-    if (!limiter_.faulted()) {
+    if (!chain_.faulted()) {
         events_.add({.name = name,
                      .time = time_,
                      .travel = travel_,
@@ -215,7 +226,7 @@ void Simulation::fault(const char* name) {
                      .hand_force = sample_.hand_force,
                      .critical_load = sample_.critical_load});
     }
-    limiter_.trip();
+    chain_.trip();
 }
 
 void Simulation::raise(const char* name) {
@@ -254,6 +265,7 @@ void Simulation::take_sample(const Pose& before, const Balance& books_before) {
         sample_.energy_force_printed = (stored + fracture) / moved;
     }
     sample_loads();
+    sample_.port_energy = observer_.energy();
     sample_.hand_work = books.hand_work;
     sample_.load_work = books.load_work;
     sample_.stored = books.stored;
@@ -277,16 +289,19 @@ void Simulation::sample_loads() {
     sample_.patch_displacement = force > 0.0 ? moment / force : 0.0;
 }
 
-// The hand feels the opposite of what it does to the needle. Where there is no equilibrium the last force must not be held.
+// The hand feels the opposite of what it does to the needle. Where there is no equilibrium, or no hand, the last force must not
+// be held.
 void Simulation::write_to_device() {
     Wrench felt;
-    if (!lost_ && !limiter_.faulted()) {
+    const bool stale = lost_ || hand_lost_;
+    if (!stale && !chain_.faulted()) {
         const Wrench held = needle_.base_wrench();
         felt = {.force = -held.force, .moment = -held.moment};
     }
     if (!felt.finite()) fault("fault: the simulation's force is not finite");
-    const Wrench out = limiter_.limit(felt, dt_);
+    const Wrench out = chain_.limit(felt, stale, dt_);
     device_.write(out);
+    observer_.wrote(out);
     sample_.device_force = -out.force.dot(base_.axis());
 }
 

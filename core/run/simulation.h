@@ -2,7 +2,8 @@
 
 #include "core/contacts/contacts.h"
 #include "core/coupling/coupling.h"
-#include "core/device/force_limiter.h"
+#include "core/device/force_chain.h"
+#include "core/device/passivity_observer.h"
 #include "core/ledger/ledger.h"
 #include "core/loading/cast.h"
 #include "core/run/patch_loads.h"
@@ -54,6 +55,8 @@ public:
     [[nodiscard]] const Sample& sample() const { return sample_; }
     [[nodiscard]] std::span<const Event> events() const { return events_.list(); }    // of the last tick
     [[nodiscard]] const Ledger& ledger() const { return ledger_; }
+    [[nodiscard]] const ForceChainCounts& force_chain() const { return chain_.counts(); }
+    [[nodiscard]] double least_port_energy() const { return observer_.least(); }    // [J]
     [[nodiscard]] const PatchLoads& loads() const { return loads_; }
     [[nodiscard]] const TissueModel& tissue() const { return tissue_; }
     [[nodiscard]] const NeedleModel& needle() const { return needle_; }
@@ -62,13 +65,14 @@ public:
     [[nodiscard]] const ContactSet* contacts() const { return lost_ || faulted() ? nullptr : &set_; }
     [[nodiscard]] bool ever_touched() const { return ever_touched_; }
     [[nodiscard]] bool ever_punctured() const { return ever_punctured_; }
-    [[nodiscard]] bool faulted() const { return limiter_.faulted(); }
+    [[nodiscard]] bool faulted() const { return chain_.faulted(); }
 
 private:
     bool move_to(const Pose& target, double dt, int halvings);
     bool step(const Pose& target, double dt, double most_advance);
     bool run_on();
     void begin(const Pose& first);
+    void take(const Reading& hand);
     void follow(const Pose& target);
     void close(const Pose& target, const CouplingReport& report, StepCosts costs, bool at_rest);
     void announce();
@@ -92,7 +96,9 @@ private:
     ContactSet set_;
     Coupling coupling_;
     Ledger ledger_;
-    ForceLimiter limiter_;
+    ForceChain chain_;
+    PassivityObserver observer_;
+    double stale_after_;    // [s]
     EventList events_;
     Sample sample_;
 
@@ -104,6 +110,7 @@ private:
     double imbalance_ = 0.0;    // of the last step at rest, as a share of what is allowed
     bool held_back_ = false;    // the last step's tip had further to go at rest of the hand
     bool lost_ = false;         // the last tick found no equilibrium
+    bool hand_lost_ = false;    // the device's last reading was stale
     bool buckled_ = false;
     int bucklings_ = 0;
     bool ever_touched_ = false;

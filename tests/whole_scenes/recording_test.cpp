@@ -14,7 +14,7 @@ TEST(Recording, IsTheSameToTheByteInOneProcessAndInSeveral) {
     const commands::Bench bench;
     const core::Scene scene = core::read_scene(paper_scene("fig9"), {}, plugin_folders());
     for (const char* name : {"first.csv", "second.csv"}) {
-        (void)core::run(scene, plugin_folders(), {.recording = bench.path(name), .progress = {}});
+        (void)core::run(scene, plugin_folders(), {.recording = bench.path(name), .progress = {}, .observe = {}});
     }
     for (const char* folder : {"third", "fourth"}) {
         ASSERT_EQ(bench.stylet({"run", paper_scene("fig9").string(), "--out", folder, "--quiet"}).code, 0);

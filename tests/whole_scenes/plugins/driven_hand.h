@@ -20,6 +20,7 @@ public:
         return {.pose = motion ? motion(time) : Pose{.position = {0.0, 0.0, 1.0}}, .age = age ? age(time) : 0.0};
     }
     void write(const Wrench& wrench) override {
+        greatest_change = std::max(greatest_change, (wrench.force - last.force).norm());
         last = wrench;
         greatest_force = std::max(greatest_force, wrench.force.norm());
     }
@@ -28,7 +29,8 @@ public:
     std::function<Pose(double time)> motion;
     std::function<double(double time)> age;    // [s]
     Wrench last;
-    double greatest_force = 0.0;    // [N]
+    double greatest_force = 0.0;     // [N]
+    double greatest_change = 0.0;    // [N] from one tick to the next
 };
 
 }    // namespace stylet::whole_scenes
