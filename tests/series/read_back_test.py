@@ -140,6 +140,20 @@ class Fig9(unittest.TestCase):
             tip = contacts.points[contacts.point_data["tip"] == 1.0][0]
             numpy.testing.assert_allclose(tip, needle.points[-1], atol=CUT + NEARLY)
 
+    def test_the_dent_is_as_deep_as_the_tip_until_the_surface_ruptures_and_springs_back(self):
+        grip = 1e-6    # of the dent: so firmly does the coupling hold the tip on the tissue
+        entry = numpy.flatnonzero((numpy.abs(self.tissue[0][1].points) < NEARLY).all(axis=1))
+        self.assertEqual(len(entry), 1)
+        dents = [(row, -mesh.point_data["displacement"][entry[0], 2]) for row, mesh in self.recorded(self.tissue)]
+        pressed = [(row["depth"], dent) for row, dent in dents if row["depth"] > 0.0 and row["inserted"] == 0.0]
+        for depth, dent in pressed:
+            self.assertAlmostEqual(dent, depth, delta=NEARLY + grip * depth)
+        deepest = pressed[-1][1]
+        after = [dent for row, dent in dents if row["inserted"] > 0.0]
+        print(f"dent {1e3 * deepest:.2f} mm, after the puncture {1e3 * after[0]:.2f} mm")
+        self.assertGreater(deepest, 0.03)
+        self.assertLess(after[0], 0.1 * deepest)
+
     def test_a_layer_of_cells_ends_at_its_border(self):
         for _, mesh in self.tissue[:1]:
             below = mesh.points[mesh.cells_dict["hexahedron"], 2].max(axis=1) < -0.03 + NEARLY
