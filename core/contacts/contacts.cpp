@@ -136,7 +136,7 @@ ContactRow Contacts::tip_row(TipState tip, const ContactPoint& point, const Need
     return row;
 }
 
-// It stands where it was: what it moves from there in a step is the way that a load on it works along.
+// What it moves in a step, from where it stands, is the way that a load on it works along; what holds it stays where it is.
 void Contacts::add_tip_in_air(const NeedleModel& needle, Effects effects, double time, ContactSet& set) const {
     const ContactPoint point{
         .material = stand_.value_or(needle.held_position(length_)), .span = Vector3::Zero(), .arclength = length_, .tip = true};
@@ -159,7 +159,7 @@ void Contacts::add_tip_in_air(const NeedleModel& needle, Effects effects, double
     row.lower = -row.upper;
     row.own_force = law.own_force;
     tip_contact_.recall(row);
-    row.old_position = point.material;
+    row.old_position = tip_position_;
     set.points.push_back(point);
     set.rows.push_back(row);
     set.in_air = true;
@@ -228,7 +228,7 @@ ContactChange Contacts::absorb(const NeedleModel& needle, const TissueModel& tis
     const ContactRow& row = set.rows.front();
     tip_contact_.take(row);
     if (in_air_) {
-        stand_ = needle.held_position(length_);
+        stand_ = set.points.front().material + row.frame * row.offset;
         return {};
     }
     if (letting_go_) {

@@ -96,7 +96,7 @@ private:
     double length_;                   // [m] of the needle
     double radius_;                   // [m]
     std::optional<Ends> in_air_;      // of a needle that is alone
-    std::optional<Vector3> stand_;    // [m] where the tip of one was at the last commit
+    std::optional<Vector3> stand_;    // [m] what the tip of one leans against, unloaded, at the last commit
     TipState tip_ = TipState::free;
     Track track_;
     Vector3 touch_ = Vector3::Zero();           // [m] material point that the tip rests on

@@ -10,19 +10,25 @@
 
 namespace stylet::core {
 
-/// A scene without a tissue: whatever touches it touches something rigid that stands where it was touched.
+/// A scene without a tissue. The one contact there can be is the tip of a needle that is alone: whatever holds it is rigid, but
+/// for so much that a force which no needle would yield to is still determined.
 class Air final : public TissueModel {
 public:
+    static constexpr double give = 1e-9;    // [m/N] a thousandth of what a steel needle yields along its axis
+
     void predict(double) override {}
     Linearisation linearise(ContactPoints points, double) override {
         const auto rows = 3 * static_cast<Eigen::Index>(points.size());
-        for (std::size_t i = 0; i < points.size(); ++i) free_.segment<3>(3 * i) = points[i].material;
-        return {{free_.data(), rows}, {no_motion_.data(), rows, rows, Eigen::OuterStride<>(0)}};
+        if (rows > 0) free_ = points.front().material;
+        return {{free_.data(), rows}, {compliance_.data(), rows, rows, Eigen::OuterStride<>(3)}};
     }
-    StepReport try_step(ContactPoints, Forces) override { return {}; }
-    void commit() override {}
-    void rollback() override {}
-    [[nodiscard]] EnergyReport energy() const override { return {}; }
+    StepReport try_step(ContactPoints, Forces forces) override {
+        trial_ = 0.5 * give * forces.squaredNorm();
+        return {};
+    }
+    void commit() override { stored_ = trial_; }
+    void rollback() override { trial_ = stored_; }
+    [[nodiscard]] EnergyReport energy() const override { return {.stored = trial_}; }
     void bear(std::span<const Patch> patches) override {
         if (!patches.empty()) throw Error("loads a patch of the tissue, and the scene has no tissue");
     }
@@ -31,8 +37,9 @@ public:
     [[nodiscard]] double entry(const Vector3&, const Vector3&) const override { return -1.0; }
 
 private:
-    VectorX free_ = VectorX::Zero(3 * max_contacts);         // [m]
-    VectorX no_motion_ = VectorX::Zero(3 * max_contacts);    // [m/N] every column of the compliance
+    Vector3 free_ = Vector3::Zero();    // [m]
+    Matrix3 compliance_ = give * Matrix3::Identity();
+    double trial_ = 0.0, stored_ = 0.0;    // [J]
 };
 
 /// A scene without a needle: a point far above the tissue, that nothing acts on.

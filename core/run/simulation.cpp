@@ -64,6 +64,7 @@ void Simulation::begin(const Pose& first) {
         return;
     }
     base_ = first;
+    now_ = -2.0 * steps_in * dt_;    // no prescribed load acts before time 0
     needle_.predict(first, setup_.length, dt_);
     if (tissue_.locate(needle_.held_position(setup_.length)).layer != outside) {
         base_.position -= setup_.length * first.axis();
@@ -199,7 +200,8 @@ void Simulation::announce() {
     if (buckled && !buckled_) raise(bucklings_++ == 0 ? "buckled" : bucklings_ == 2 ? "second buckling" : "buckled again");
     if (!buckled && buckled_) raise("straightened");
     buckled_ = buckled;
-    if (const bool at_tissue = contacts_.free_length() <= 0.0; at_tissue != base_at_tissue_) {
+    const bool inside = contacts_.tip() == TipState::inside;
+    if (const bool at_tissue = inside && contacts_.free_length() <= 0.0; at_tissue != base_at_tissue_) {
         if (at_tissue) raise("base at the tissue");
         base_at_tissue_ = at_tissue;
     }
