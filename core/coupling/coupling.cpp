@@ -42,8 +42,11 @@ Coupling::Coupling()
       forces_(VectorX::Zero(most_rows)),
       opposite_(VectorX::Zero(most_rows)),
       own_(VectorX::Zero(most_rows)),
-      sideways_(VectorX::Zero(most_rows)),
-      scratch_(VectorX::Zero(most_rows)) {}
+      axial_(VectorX::Zero(most_rows)),
+      scratch_(VectorX::Zero(most_rows)) {
+    points_.reserve(max_contacts);
+    old_points_.reserve(max_contacts);
+}
 
 CouplingReport Coupling::solve(NeedleModel& needle, TissueModel& tissue, ContactSet& contacts, Mouth mouth, double most_advance,
                                double dt) {
@@ -51,6 +54,7 @@ CouplingReport Coupling::solve(NeedleModel& needle, TissueModel& tissue, Contact
     const auto count = static_cast<Eigen::Index>(contacts.points.size());
     const Forces on_needle(forces_.data(), 3 * count), on_tissue(opposite_.data(), 3 * count);
     number_rows(contacts);
+    points_.assign(contacts.points.begin(), contacts.points.end());
     for (ContactRow& row : contacts.rows) row.configurational = 0.0;
     if (mouth.row >= 0) contacts.rows[mouth.row].configurational = mouth.grip * needle.entry_force();
     if (!contacts.empty() && contacts.rows[tip].lateral) contacts.rows[tip].configurational += trial_.askew;
@@ -222,28 +226,44 @@ void Coupling::hand_out(ContactSet& contacts) {
 
 // Where contact points have moved, the old forces meet another tissue: the energy they gain and the advance they seem to make
 // there belong to the move, not to the step. A body with inertia or a memory answers for it itself: at one instant nothing
-// creeps.
+// creeps, before the move as after it.
 double Coupling::carry(TissueModel& tissue, ContactSet& contacts) {
     const double before = tissue.energy().stored;
     trial_ = committed_;
     if (contacts.empty()) trial_ = {};
-    const auto count = static_cast<Eigen::Index>(contacts.rows.size());
-    for (Eigen::Index i = 0; i < count; ++i) {
-        forces_.segment<3>(3 * i) = contacts.rows[i].old_force;
-        opposite_.segment<3>(3 * i) = -contacts.rows[i].old_force;
-    }
+    const bool sideways = take_up(contacts);
     tissue.predict(0.0);
-    for (int i = 0; i < most_linearisations && !restep(tissue, contacts); ++i) {
+    const double axial_before = sideways ? energy_of(tissue.linearise(old_points_, 0.0), axial_) : 0.0;
+    double axial = 0.0;    // [J] after the move
+    for (int i = 0; i < most_linearisations && !restep(tissue, contacts, axial); ++i) {
     }
-    return tissue.energy().stored - before;
+    const double relocation = tissue.energy().stored - before;
+    if (sideways) trial_.gained += relocation + axial - axial_before + seeming_work(contacts);
+    if (!contacts.empty()) note_askew_force(contacts.rows[tip]);
+    return relocation;
+}
+
+// The old forces; whether any of them is sideways.
+bool Coupling::take_up(const ContactSet& contacts) {
+    bool sideways = false;
+    axial_.setZero();
+    for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
+        const ContactRow& row = contacts.rows[i];
+        const auto at = 3 * static_cast<Eigen::Index>(i);
+        forces_.segment<3>(at) = row.old_force;
+        opposite_.segment<3>(at) = -row.old_force;
+        axial_.segment<3>(at) = row.old_force - row.old_sideways;
+        sideways = sideways || !row.old_sideways.isZero(0.0);
+    }
+    return sideways;
 }
 
 // True once the tissue is in balance.
-bool Coupling::restep(TissueModel& tissue, ContactSet& contacts) {
+bool Coupling::restep(TissueModel& tissue, ContactSet& contacts, double& axial) {
     const auto rows = 3 * static_cast<Eigen::Index>(contacts.points.size());
     const Linearisation found = tissue.linearise(contacts.points, 0.0);
     note_where_carried(found, contacts);
-    if (!contacts.empty()) trial_.askew = askew_force(found, contacts);
+    axial = energy_of(found, axial_);
     const StepReport report = tissue.try_step(contacts.points, Forces(opposite_.data(), rows));
     return report.residual <= tolerance && !report.tangent_changed;
 }
@@ -261,27 +281,25 @@ void Coupling::note_where_carried(const Linearisation& tissue, ContactSet& conta
     }
 }
 
-// The energy that the sideways forces have gained on the tip's last way, over that way: at constant force what their relocation
-// added to the tissue, and what it seems to have moved the needle against them. Short ways are added up: their quotient is
+// [J] By which the move seems to have driven the needle against the old forces.
+double Coupling::seeming_work(const ContactSet& contacts) {
+    double work = 0.0;
+    for (const ContactRow& row : contacts.rows) work += row.old_force.dot(row.frame * row.carried_over + row.beside);
+    return work;
+}
+
+// What moving along with the tip has given the old forces, over the tip's way. Short ways are added up: their quotient is
 // rounding.
-double Coupling::askew_force(const Linearisation& tissue, const ContactSet& contacts) {
-    constexpr double shortest_way = 1e-7;                              // [m]
-    const double steepest = contacts.rows[tip].old_sideways.norm();    // a track that lies askew by 45°
-    double gained = -committed_.sideways_energy;
-    for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
-        const ContactRow& row = contacts.rows[i];
-        sideways_.segment<3>(3 * static_cast<Eigen::Index>(i)) = row.old_sideways;
-        gained += row.old_sideways.dot(row.frame * row.carried_over + row.beside);
-    }
-    trial_.gained = committed_.gained + gained + energy_of(tissue, sideways_);
-    trial_.way = committed_.way + contacts.rows[tip].old_advance;
-    double force = committed_.askew;
+void Coupling::note_askew_force(const ContactRow& row) {
+    constexpr double shortest_way = 1e-7;               // [m]
+    const double steepest = row.old_sideways.norm();    // a track that lies askew by 45°
+    trial_.way += row.old_advance;
     if (std::abs(trial_.way) >= shortest_way) {
-        force = trial_.gained / trial_.way;
+        trial_.askew = trial_.gained / trial_.way;
         trial_.gained = 0.0;
         trial_.way = 0.0;
     }
-    return std::clamp(force, -steepest, steepest);
+    trial_.askew = std::clamp(trial_.askew, -steepest, steepest);
 }
 
 // ½ fᵀWf; leaves Wf in scratch_.
@@ -298,16 +316,12 @@ double Coupling::energy_of(const Linearisation& tissue, const VectorX& forces) {
 
 // What of the solved forces the next step and the ledger need to know of the tissue.
 void Coupling::take_stock(const Linearisation& tissue, ContactSet& contacts) {
-    for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
-        ContactRow& row = contacts.rows[i];
-        row.sideways = sideways_of(row, row.force);
-        sideways_.segment<3>(3 * static_cast<Eigen::Index>(i)) = row.sideways;
-    }
-    trial_.sideways_energy = energy_of(tissue, sideways_);
     (void)energy_of(tissue, forces_);
     for (std::size_t i = 0; i < contacts.rows.size(); ++i) {
+        ContactRow& row = contacts.rows[i];
         const auto at = 3 * static_cast<Eigen::Index>(i);
-        contacts.rows[i].tissue_position = tissue.free.segment<3>(at) - scratch_.segment<3>(at);
+        row.sideways = sideways_of(row, row.force);
+        row.tissue_position = tissue.free.segment<3>(at) - scratch_.segment<3>(at);
     }
 }
 

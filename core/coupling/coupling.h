@@ -48,7 +48,10 @@ public:
                          double dt);
 
     /// The caller has committed the bodies.
-    void commit() { committed_ = trial_; }
+    void commit() {
+        committed_ = trial_;
+        old_points_.assign(points_.begin(), points_.end());
+    }
 
 private:
     struct Views {
@@ -56,9 +59,8 @@ private:
     };
     /// What the next step must know of this one.
     struct Memory {
-        double sideways_energy = 0.0;    // [J] ½ fᵀWf of the tissue's lateral forces
-        double askew = 0.0;              // [N] configurational force on the tip
-        double gained = 0.0;             // [J] not yet part of `askew`, and over which way [m]
+        double askew = 0.0;     // [N] configurational force on the tip
+        double gained = 0.0;    // [J] not yet part of `askew`, and over which way [m]
         double way = 0.0;
     };
     bool solve_linearised(NeedleModel& needle, TissueModel& tissue, ContactSet& contacts, Mouth mouth, double most_advance,
@@ -70,9 +72,11 @@ private:
     BoxProblem::Outcome attempt(const ContactSet& contacts, double most_advance);
     bool reconsider(ContactRow& row, int along, double most_forward, double most_back, bool& may_hold);
     void hand_out(ContactSet& contacts);
-    bool restep(TissueModel& tissue, ContactSet& contacts);
+    bool take_up(const ContactSet& contacts);
+    bool restep(TissueModel& tissue, ContactSet& contacts, double& axial);
     void note_where_carried(const Linearisation& tissue, ContactSet& contacts);
-    double askew_force(const Linearisation& tissue, const ContactSet& contacts);
+    static double seeming_work(const ContactSet& contacts);
+    void note_askew_force(const ContactRow& row);
     double energy_of(const Linearisation& tissue, const VectorX& forces);
     void take_stock(const Linearisation& tissue, ContactSet& contacts);
     [[nodiscard]] int axial_row(int contact) const { return bilateral_ + contact; }
@@ -86,10 +90,11 @@ private:
     VectorX lower_, upper_, lambda_;    // rows, [N]
     VectorX forces_, opposite_;         // 3n on the needle and on the tissue, world, [N]
     VectorX own_;                       // 3n on the needle whatever the motion, world, [N]
-    VectorX sideways_;                  // 3n, the lateral part of forces_, [N]
+    VectorX axial_;                     // 3n, what of the old forces is along the needle, [N]
     VectorX scratch_;                   // 3n, [m]
     double shift_ = 0.0;                // [1/s²] τ of this solve
     Memory trial_, committed_;
+    std::vector<ContactPoint> points_, old_points_;    // of the last solve, and of the last commit
 };
 
 }    // namespace stylet::core
