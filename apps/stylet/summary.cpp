@@ -35,12 +35,26 @@ std::string microseconds(double us) {
     return quantity(us, 1, "µs");
 }
 
+/// Without its minus where all that is shown of it is zero.
+std::string vector(const Vector3& value, const char* unit) {
+    const auto shown = [](double x) { return std::abs(x) < 5e-4 ? 0.0 : x; };
+    return fmt::format("({:.3f}, {:.3f}, {:.3f}) {}", shown(value.x()), shown(value.y()), shown(value.z()), unit);
+}
+
 std::string events_text(const core::RunReport& report) {
     if (report.events.empty()) return "  no events\n";
+    const bool hand = report.hand.has_value(), both = report.has_needle && report.has_tissue;
+    const auto add = [&](Table& table, const std::vector<std::string>& cells) {
+        std::vector<std::string> row{cells[0], cells[1]};
+        if (hand) row.push_back(cells[2]);
+        if (both) row.push_back(cells[3]);
+        if (report.has_needle) row.push_back(cells[4]);
+        table.add(row);
+    };
     Table table({Align::left, Align::right, Align::right, Align::right, Align::right});
-    table.add({"event", "time", "travel", "depth", "hand force"});
+    add(table, {"event", "time", "travel", "depth", hand ? "hand force" : "base force"});
     for (const core::EventReport& event : report.events) {
-        table.add(
+        add(table,
             {event.name, seconds(event.time), millimetres(event.travel), millimetres(event.depth), newtons(event.hand_force)});
     }
     return table.text(2);
@@ -48,32 +62,47 @@ std::string events_text(const core::RunReport& report) {
 
 std::string findings_text(const core::RunReport& report) {
     Table table({Align::left, Align::left});
-    table.add({"peak hand force", newtons(report.peak_hand_force)});
-    if (report.buckling.empty()) table.add({"buckled", "never"});
+    if (report.has_needle) {
+        table.add({report.hand ? "peak hand force" : "peak base force", newtons(report.peak_hand_force)});
+        if (report.buckling.empty()) table.add({"buckled", "never"});
+    }
     for (const core::BucklingReport& buckling : report.buckling) {
         table.add({"buckled", fmt::format("at {} (critical load {}), after {}", newtons(buckling.force),
                                           newtons(buckling.critical_load), seconds(buckling.time))});
     }
-    table.add({"largest bow", millimetres(report.largest_deflection)});
+    if (report.has_needle) table.add({"largest bow", millimetres(report.largest_deflection)});
+    for (const core::LoadedPatch& loaded : report.loads.patches) {
+        if (loaded.force.empty()) continue;
+        table.add(
+            {"patch of " + loaded.effect, fmt::format("moved by {} under {}", vector(loaded.displacement.back() * 1e3, "mm"),
+                                                      vector(loaded.force.back(), "N"))});
+    }
     return table.text(2);
 }
 
-std::string ledger_text(const core::LedgerReport& ledger) {
+/// Only what the scene's parts can have a share in.
+std::string ledger_text(const core::RunReport& report) {
+    const core::LedgerReport& ledger = report.ledger;
     const core::Sample& totals = ledger.totals;
+    const bool hand = report.hand.has_value(), both = report.has_needle && report.has_tissue;
     Table table({Align::left, Align::right});
-    table.add({"hand work", millijoules(totals.hand_work)});
-    table.add({"= stored", millijoules(totals.stored)});
-    table.add({"+ kinetic", millijoules(totals.kinetic)});
-    table.add({"+ fracture", millijoules(totals.fracture)});
-    table.add({"+ friction", millijoules(totals.friction)});
-    table.add({"+ burst", millijoules(totals.burst)});
-    table.add({"+ released", millijoules(totals.released)});
-    table.add({"+ damping", millijoules(totals.damping)});
-    table.add({"+ numerical", millijoules(totals.numerical)});
-    table.add({"+ residual", millijoules(totals.residual)});
+    const auto add = [&table](bool there, const char* name, double energy) {
+        if (there) table.add({name, millijoules(energy)});
+    };
+    add(hand, "hand work", totals.hand_work);
+    add(!report.loads.patches.empty() || totals.load_work != 0.0, hand ? "+ load work" : "load work", totals.load_work);
+    add(true, "= stored", totals.stored);
+    add(true, "+ kinetic", totals.kinetic);
+    add(both, "+ fracture", totals.fracture);
+    add(both, "+ friction", totals.friction);
+    add(both, "+ burst", totals.burst);
+    add(both, "+ released", totals.released);
+    add(true, "+ damping", totals.damping);
+    add(true, "+ numerical", totals.numerical);
+    add(true, "+ residual", totals.residual);
+    const std::string pushing = both ? fmt::format(", {:.1e} until the first puncture", ledger.relative_pushing) : "";
     return "  energy ledger\n" + table.text(4) +
-           fmt::format("    largest residual on the way: {:.1e} of the peak work, {:.1e} until the first puncture\n",
-                       ledger.relative, ledger.relative_pushing);
+           fmt::format("    largest residual on the way: {:.1e} of the peak work{}\n", ledger.relative, pushing);
 }
 
 std::string hand_text(const std::optional<core::HandReport>& hand) {
@@ -113,7 +142,7 @@ std::string cost_text(const FinishedRun& run) {
 
 std::string summary_text(const FinishedRun& run) {
     return fmt::format("{}\n  scene {}\n\n{}\n{}\n{}\n{}{}", run.report.title, run.scene, events_text(run.report),
-                       findings_text(run.report), ledger_text(run.report.ledger), hand_text(run.report.hand), cost_text(run));
+                       findings_text(run.report), ledger_text(run.report), hand_text(run.report.hand), cost_text(run));
 }
 
 bool ended_in_fault(const core::RunReport& report) {

@@ -14,14 +14,45 @@ ordered_json number(double value) {
     return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
 }
 
+ordered_json vector(const Vector3& value) {
+    return {number(value.x()), number(value.y()), number(value.z())};
+}
+
+ordered_json vectors(const std::vector<Vector3>& values) {
+    ordered_json json = ordered_json::array();
+    for (const Vector3& value : values) json.push_back(vector(value));
+    return json;
+}
+
+/// What was loaded, and how it moved; null where nothing was.
+ordered_json loads_json(const core::PatchReport& loads) {
+    if (loads.patches.empty()) return nullptr;
+    ordered_json patches = ordered_json::array();
+    for (const core::LoadedPatch& loaded : loads.patches) {
+        patches.push_back({{"effect", loaded.effect},
+                           {"centre", vector(loaded.patch.centre)},
+                           {"size", vector(loaded.patch.size)},
+                           {"force", vectors(loaded.force)},
+                           {"displacement", vectors(loaded.displacement)}});
+    }
+    return {{"times", loads.times}, {"patches", patches}};
+}
+
 ordered_json ledger_json(const core::LedgerReport& ledger) {
     const core::Sample& totals = ledger.totals;
-    return {{"hand_work", number(totals.hand_work)}, {"residual", number(totals.residual)},
-            {"relative", number(ledger.relative)},   {"relative_pushing", number(ledger.relative_pushing)},
-            {"peak_work", number(ledger.peak_work)}, {"stored", number(totals.stored)},
-            {"kinetic", number(totals.kinetic)},     {"fracture", number(totals.fracture)},
-            {"friction", number(totals.friction)},   {"burst", number(totals.burst)},
-            {"released", number(totals.released)},   {"damping", number(totals.damping)},
+    return {{"hand_work", number(totals.hand_work)},
+            {"load_work", number(totals.load_work)},
+            {"residual", number(totals.residual)},
+            {"relative", number(ledger.relative)},
+            {"relative_pushing", number(ledger.relative_pushing)},
+            {"peak_work", number(ledger.peak_work)},
+            {"stored", number(totals.stored)},
+            {"kinetic", number(totals.kinetic)},
+            {"fracture", number(totals.fracture)},
+            {"friction", number(totals.friction)},
+            {"burst", number(totals.burst)},
+            {"released", number(totals.released)},
+            {"damping", number(totals.damping)},
             {"numerical", number(totals.numerical)}};
 }
 
@@ -52,16 +83,18 @@ std::string summary_json(const FinishedRun& run) {
                 {"not_finite_ticks", chain.not_finite},
                 {"least_port_energy", number(report.hand->least_port_energy)}};
     }
+    const auto of_needle = [&report](double value) { return report.has_needle ? number(value) : ordered_json(nullptr); };
     const core::TickReport& tick = report.tick_us;
     const ordered_json json{{"title", report.title},
                             {"scene", run.scene},
                             {"hash", report.hash},
                             {"recording", run.recording},
                             {"events", events},
-                            {"peak_hand_force", number(report.peak_hand_force)},
-                            {"largest_deflection", number(report.largest_deflection)},
+                            {"peak_hand_force", of_needle(report.peak_hand_force)},
+                            {"largest_deflection", of_needle(report.largest_deflection)},
                             {"buckling", buckling},
                             {"ledger", ledger_json(report.ledger)},
+                            {"loads", loads_json(report.loads)},
                             {"hand", hand},
                             {"tick_us", {{"median", number(tick.median)}, {"p99", number(tick.p99)}, {"max", number(tick.max)}}},
                             {"ticks", report.ticks},

@@ -62,15 +62,16 @@ TEST(Run, JsonHasTheShapeThatScriptsRelyOn) {
     const ordered_json json = ordered_json::parse(run.out);
     EXPECT_THAT(keys_of(json),
                 ElementsAre("title", "scene", "hash", "recording", "events", "peak_hand_force", "largest_deflection", "buckling",
-                            "ledger", "hand", "tick_us", "ticks", "duration", "libraries"));
+                            "ledger", "loads", "hand", "tick_us", "ticks", "duration", "libraries"));
     EXPECT_EQ(json["title"], "Fig. 10(a): L = 200 mm");
     ASSERT_FALSE(json["events"].empty());
     EXPECT_THAT(keys_of(json["events"][0]), ElementsAre("name", "time", "travel", "depth", "hand_force"));
     ASSERT_EQ(json["buckling"].size(), 1U);
     EXPECT_THAT(keys_of(json["buckling"][0]), ElementsAre("time", "force", "critical_load"));
     EXPECT_THAT(keys_of(json["ledger"]),
-                ElementsAre("hand_work", "residual", "relative", "relative_pushing", "peak_work", "stored", "kinetic", "fracture",
-                            "friction", "burst", "released", "damping", "numerical"));
+                ElementsAre("hand_work", "load_work", "residual", "relative", "relative_pushing", "peak_work", "stored",
+                            "kinetic", "fracture", "friction", "burst", "released", "damping", "numerical"));
+    EXPECT_TRUE(json["loads"].is_null());
     EXPECT_THAT(keys_of(json["tick_us"]), ElementsAre("median", "p99", "max"));
     EXPECT_EQ(json["ticks"], 8000);
     EXPECT_EQ(json["libraries"].size(), 6U);    // tissue, needle, buckling, two effects, device
