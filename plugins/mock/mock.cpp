@@ -114,12 +114,14 @@ STYLET_PLUGIN(stylet::mock::Mock, "mock", stylet::mock::parameters,
               .summary = "A simulated hand that holds a simulated haptic device and gives way to the force that it feels",
               .formula =
                   "(m_device + m_hand) x'' = -b_device x' - f + k_hand (x_wanted - x) + b_hand (x_wanted' - x') + F\n"
-                  "f = F_c sgn x' while it moves, |f| <= F_c while it rests;  x is read in whole quanta",
+                  "f = F_c sgn x' while it moves, |f| <= F_c while it rests; x is read in whole quanta\n"
+                  "x [m] along each of x, y and z, F [N] last force, held until the next, F_c [N] Coulomb friction, "
+                  "x_wanted [m] the scene's motion",
               .source =
                   "Colgate and Schenkel 1997, the mass behind a zero-order hold; Abbott and Okamura 2005, friction and "
-                  "quantum; Moreau 1988, time stepping with friction. We add a hand that wants to be somewhere; the limits "
+                  "quantum; Moreau 1988, time stepping with friction. Deviation: the hand wants to be somewhere. The limits "
                   "are those of a Phantom Premium 1.5",
               .validity =
                   "Small and slow motions, in which an arm is a spring, a damper and a mass. Leaves out moments: the needle "
-                  "is turned as the motion says, whatever it feels; and the joints of a real device: mass and friction are "
-                  "the same along x, y and z")
+                  "is turned as the motion says, whatever it feels. Leaves out joints: mass and friction are the same "
+                  "along x, y and z")
