@@ -19,5 +19,6 @@ Command check_command(CLI::App& line);
 Command plugins_command(CLI::App& line);
 Command scenes_command(CLI::App& line);
 Command plot_command(CLI::App& line);
+Command schema_command(CLI::App& line);
 
 }    // namespace stylet::app

@@ -1,7 +1,11 @@
 #include "apps/stylet/kinds.h"
 
-#include <iterator>
-#include <sstream>
+#include "core/scene/wanted.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string_view>
 
 namespace stylet::app {
 
@@ -25,13 +29,36 @@ const char* name_of(Kind kind) {
     return "";
 }
 
-bool is_numeric(Kind kind) {
-    return kind == Kind::number || kind == Kind::integer;
+bool has_range(Kind kind) {
+    return kind == Kind::number || kind == Kind::integer || kind == Kind::vector3;
 }
 
-std::vector<std::string> words_of(const char* text) {
-    std::istringstream stream(text);
-    return {std::istream_iterator<std::string>(stream), {}};
+bool has_dimension(const Parameter& parameter) {
+    const std::string_view unit = parameter.unit;
+    return !unit.empty() && unit != "1";
+}
+
+std::string kind_text(const Parameter& parameter) {
+    const std::string unit = parameter.unit;
+    if (unit.empty()) return name_of(parameter.kind);
+    return fmt::format("{} ({})", name_of(parameter.kind), has_dimension(parameter) ? unit : "no unit");
+}
+
+std::string range_text(const Parameter& parameter) {
+    if (parameter.kind == Kind::choice) return fmt::format("{}", fmt::join(core::choices_of(parameter), " | "));
+    if (!has_range(parameter.kind)) return "";
+    const Range& range = parameter.range;
+    const bool below = std::isfinite(range.least), above = std::isfinite(range.greatest);
+    const std::string least = fmt::format("{} {}", range.open_below ? ">" : "≥", range.least);
+    const std::string greatest = fmt::format("{} {}", range.open_above ? "<" : "≤", range.greatest);
+    if (below && above) return least + " and " + greatest;
+    if (below) return least;
+    if (above) return greatest;
+    return "any";
+}
+
+const char* need_text(const Parameter& parameter) {
+    return parameter.need == Need::required ? "required" : "optional";
 }
 
 }    // namespace stylet::app

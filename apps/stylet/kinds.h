@@ -1,11 +1,10 @@
-// What the kinds of parameters are called.
+// What lists, pages and editors are told of a declared parameter.
 #pragma once
 
 #include <stylet/plugin.h>
 
 #include <span>
 #include <string>
-#include <vector>
 
 namespace stylet::app {
 
@@ -19,7 +18,16 @@ using ParameterList = std::span<const Parameter>;
 }
 
 [[nodiscard]] const char* name_of(Kind kind);
-[[nodiscard]] bool is_numeric(Kind kind);
-[[nodiscard]] std::vector<std::string> words_of(const char* text);
+[[nodiscard]] bool has_range(Kind kind);
+
+/// Its numbers carry a unit.
+[[nodiscard]] bool has_dimension(const Parameter& parameter);
+
+/// "number (N/m)"
+[[nodiscard]] std::string kind_text(const Parameter& parameter);
+/// "≥ 0", "any", "bottom | sides"; empty where there is none.
+[[nodiscard]] std::string range_text(const Parameter& parameter);
+/// "required" or "optional"
+[[nodiscard]] const char* need_text(const Parameter& parameter);
 
 }    // namespace stylet::app

@@ -59,8 +59,8 @@ int main_of(int argc, char** argv) {
     line.set_version_flag("--version", "stylet " STYLET_VERSION, "Show the version");
     line.set_help_flag("-h,--help", "Show this help");
     line.require_subcommand(0, 1);
-    const std::vector<Command> commands{run_command(line), check_command(line), plugins_command(line), scenes_command(line),
-                                        plot_command(line)};
+    const std::vector<Command> commands{run_command(line),    check_command(line), plugins_command(line),
+                                        scenes_command(line), plot_command(line),  schema_command(line)};
     try {
         line.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -69,7 +69,7 @@ int main_of(int argc, char** argv) {
     for (const Command& command : commands) {
         if (command.options->parsed()) return execute(command);
     }
-    return complain("stylet: found no command, wanted run, check, plugins, scenes or plot; stylet --help tells more",
+    return complain("stylet: found no command, wanted run, check, plugins, scenes, plot or schema; stylet --help tells more",
                     ExitCode::wrong_command);
 }
 

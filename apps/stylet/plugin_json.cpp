@@ -1,5 +1,6 @@
 #include "apps/stylet/kinds.h"
 #include "apps/stylet/plugin_text.h"
+#include "core/scene/wanted.h"
 
 #include <nlohmann/json.hpp>
 
@@ -22,13 +23,13 @@ ordered_json parameter_json(const Parameter& parameter) {
                       {"unit", parameter.unit},
                       {"required", parameter.need == Need::required},
                       {"meaning", parameter.meaning}};
-    if (is_numeric(parameter.kind)) {
+    if (has_range(parameter.kind)) {
         json["range"] = {{"least", bound(parameter.range.least)},
                          {"open_below", parameter.range.open_below},
                          {"greatest", bound(parameter.range.greatest)},
                          {"open_above", parameter.range.open_above}};
     }
-    if (parameter.kind == Kind::choice) json["choices"] = words_of(parameter.choices);
+    if (parameter.kind == Kind::choice) json["choices"] = core::choices_of(parameter);
     if (parameter.kind == Kind::records) json["fields"] = parameters_json(fields_of(parameter));
     return json;
 }
@@ -44,7 +45,9 @@ ordered_json described(const core::PluginLibrary& library) {
     return {{"name", plugin.name},
             {"role", core::name_of(plugin.role)},
             {"summary", plugin.about.summary},
+            {"formula", plugin.about.formula},
             {"source", plugin.about.source},
+            {"validity", plugin.about.validity},
             {"file", library.file().string()},
             {"parameters", parameters_json(parameters_of(plugin))}};
 }

@@ -5,35 +5,13 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <sstream>
 #include <vector>
 
 namespace stylet::app {
 namespace {
 
-std::string kind_text(const Parameter& parameter) {
-    const std::string unit = parameter.unit;
-    if (unit.empty()) return name_of(parameter.kind);
-    return fmt::format("{} ({})", name_of(parameter.kind), unit == "1" ? "no unit" : unit);
-}
-
-std::string range_text(const Parameter& parameter) {
-    if (parameter.kind == Kind::choice) return fmt::format("{}", fmt::join(words_of(parameter.choices), " | "));
-    if (!is_numeric(parameter.kind)) return "";
-    const Range& range = parameter.range;
-    const bool below = std::isfinite(range.least), above = std::isfinite(range.greatest);
-    const std::string least = fmt::format("{} {}", range.open_below ? ">" : "≥", range.least);
-    const std::string greatest = fmt::format("{} {}", range.open_above ? "<" : "≤", range.greatest);
-    if (below && above) return least + " and " + greatest;
-    if (below) return least;
-    if (above) return greatest;
-    return "any";
-}
-
-const char* need_text(const Parameter& parameter) {
-    return parameter.need == Need::required ? "required" : "optional";
-}
+constexpr std::size_t page_width = 110;    // [characters]
 
 void add_rows(ParameterList parameters, std::size_t indent, Table& table) {
     for (const Parameter& parameter : parameters) {
@@ -44,9 +22,8 @@ void add_rows(ParameterList parameters, std::size_t indent, Table& table) {
 
 /// The meanings in the order of the rows, each indented to stand below its name.
 void add_meanings(ParameterList parameters, std::size_t indent, std::vector<std::string>& meanings) {
-    constexpr std::size_t page = 110;
     for (const Parameter& parameter : parameters) {
-        meanings.push_back(wrapped(parameter.meaning, indent + 4, page));
+        meanings.push_back(wrapped(parameter.meaning, indent + 4, page_width));
         add_meanings(fields_of(parameter), indent + 4, meanings);
     }
 }
@@ -69,12 +46,22 @@ std::string parameters_text(ParameterList parameters) {
     return text;
 }
 
+/// Its lines as they are: their breaks and blanks mean something.
+std::string formula_text(const char* formula) {
+    std::istringstream lines(formula);
+    std::string text;
+    for (std::string line; std::getline(lines, line);) text += "    " + line + "\n";
+    return text;
+}
+
 }    // namespace
 
 std::string plugin_text(const core::PluginLibrary& library) {
     const Descriptor& plugin = library.descriptor();
-    return fmt::format("{} ({}): {}\nsource: {}\nlibrary: {}\n\n{}", plugin.name, core::name_of(plugin.role),
-                       plugin.about.summary, plugin.about.source, library.file().string(),
+    const About& about = plugin.about;
+    return fmt::format("{} ({}): {}\nformula:\n{}source:\n{}validity:\n{}library:\n    {}\n\n{}", plugin.name,
+                       core::name_of(plugin.role), about.summary, formula_text(about.formula),
+                       wrapped(about.source, 4, page_width), wrapped(about.validity, 4, page_width), library.file().string(),
                        parameters_text(parameters_of(plugin)));
 }
 

@@ -8,7 +8,8 @@
 
 namespace stylet::app {
 
-/// What it is, its source, and a line for each parameter with its meaning below it; the fields of records further in.
+/// What it is, its formula, source and validity, and a line for each parameter with its meaning below it; the fields of records
+/// further in.
 [[nodiscard]] std::string plugin_text(const core::PluginLibrary& library);
 
 /// The same as JSON: an object, or an array of one for each.

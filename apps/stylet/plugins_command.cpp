@@ -1,12 +1,14 @@
 #include "apps/stylet/command.h"
+#include "apps/stylet/output.h"
+#include "apps/stylet/plugin_list.h"
+#include "apps/stylet/plugin_page.h"
 #include "apps/stylet/plugin_text.h"
 #include "apps/stylet/scene_arguments.h"
 #include "apps/stylet/table.h"
-#include "core/loading/plugin_library.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <filesystem>
 #include <memory>
 
 namespace stylet::app {
@@ -14,7 +16,8 @@ namespace {
 
 constexpr const char* examples =
     R"(Without NAME, lists every plugin: its role, its name (the `type:` of a scene) and one line on it. With NAME, shows
-that plugin's parameters: kind and unit, range in SI units, whether it is required, meaning; and the source it follows.
+that plugin's formula, source and validity, and its parameters: kind and unit, range in SI units, whether it is required,
+meaning. With --pages, writes all that as Markdown, a page for each plugin and a README.md that lists them.
 The keys that all tissues or all needles share (extent, layers, length, radius, ...) belong to the scene, not to a plugin.
 
 Examples:
@@ -22,11 +25,13 @@ Examples:
   stylet plugins friction
   stylet plugins --json
   stylet plugins my_effect --plugin-dir ~/plugins
+  stylet plugins --pages docs/plugins
 
-Exit codes: 0 ok, 2 there is no such plugin or it is refused, 3 wrong command line.)";
+Exit codes: 0 ok, 2 there is no such plugin or it is refused, 3 wrong command line, 4 a page cannot be written.)";
 
 struct PluginArguments {
     std::string name;
+    std::string pages;
     std::vector<std::string> plugin_dirs;
     bool json = false;
 };
@@ -41,24 +46,8 @@ ExitCode show_one(const PluginArguments& arguments) {
     return ExitCode::ok;
 }
 
-/// A library that is refused is told of on stderr; the others are listed all the same.
-std::vector<core::PluginLibrary> open_all(const core::PluginFolders& folders) {
-    std::vector<core::PluginLibrary> libraries;
-    for (const std::string& name : folders.names()) {
-        try {
-            libraries.push_back(core::PluginLibrary::open(name, folders));
-        } catch (const Error& error) {
-            fmt::print(stderr, "{}\n", error.what());
-        }
-    }
-    std::stable_sort(libraries.begin(), libraries.end(), [](const core::PluginLibrary& left, const core::PluginLibrary& right) {
-        return left.descriptor().role < right.descriptor().role;
-    });
-    return libraries;
-}
-
 ExitCode show_all(const PluginArguments& arguments) {
-    const std::vector<core::PluginLibrary> libraries = open_all(plugin_folders(arguments.plugin_dirs));
+    const std::vector<core::PluginLibrary> libraries = all_plugins(plugin_folders(arguments.plugin_dirs));
     if (arguments.json) {
         fmt::print("{}", plugins_json(libraries));
         return ExitCode::ok;
@@ -72,16 +61,39 @@ ExitCode show_all(const PluginArguments& arguments) {
     return ExitCode::ok;
 }
 
+ExitCode write_pages(const PluginArguments& arguments) {
+    const std::vector<core::PluginLibrary> libraries = all_plugins(plugin_folders(arguments.plugin_dirs));
+    const std::filesystem::path folder = arguments.pages;
+    const auto write = [&](const std::string& name, const std::string& text) {
+        write_file(folder / name, text);
+        fmt::print("{}\n", (folder / name).string());
+    };
+    make_folder(folder);
+    write("README.md", plugin_index(libraries));
+    for (const core::PluginLibrary& library : libraries) {
+        const Descriptor& plugin = library.descriptor();
+        write(std::string(plugin.name) + ".md", plugin_page(plugin));
+    }
+    return ExitCode::ok;
+}
+
 }    // namespace
 
 Command plugins_command(CLI::App& line) {
     const auto arguments = std::make_shared<PluginArguments>();
     CLI::App* options = line.add_subcommand("plugins", "List the plugins, or show one's parameters");
     options->footer(examples);
-    options->add_option("NAME", arguments->name, "Show this plugin's parameters")->type_name("");
-    options->add_flag("--json", arguments->json, "The same as JSON");
+    CLI::Option* name = options->add_option("NAME", arguments->name, "Show this plugin's parameters")->type_name("");
+    CLI::Option* json = options->add_flag("--json", arguments->json, "The same as JSON");
+    options->add_option("--pages", arguments->pages, "Write a Markdown page for each plugin into this folder")
+        ->type_name("FOLDER")
+        ->excludes(name)
+        ->excludes(json);
     add_plugin_dir(*options, arguments->plugin_dirs);
-    return {options, [arguments] { return arguments->name.empty() ? show_all(*arguments) : show_one(*arguments); }};
+    return {options, [arguments] {
+                if (!arguments->pages.empty()) return write_pages(*arguments);
+                return arguments->name.empty() ? show_all(*arguments) : show_one(*arguments);
+            }};
 }
 
 }    // namespace stylet::app

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <udunits2.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -112,12 +113,16 @@ Quantity read_quantity(const std::string& text, const std::string& unit) {
     return converted(value, text, written, unit);
 }
 
+std::string example_of(const std::string& unit) {
+    const auto found = std::ranges::find(dimensions, unit, &Dimension::unit);
+    return found == dimensions.end() ? "1 " + unit : std::string(found->example);
+}
+
 std::string wanted_quantity(const std::string& unit) {
     if (unit == "1" || unit.empty()) return "a number without a unit";
-    for (const Dimension& dimension : dimensions) {
-        if (dimension.unit == unit) return fmt::format("{} in {} such as '{}'", dimension.name, unit, dimension.example);
-    }
-    return fmt::format("a quantity in {0} such as '1 {0}'", unit);
+    const auto found = std::ranges::find(dimensions, unit, &Dimension::unit);
+    const std::string_view name = found == dimensions.end() ? "a quantity" : found->name;
+    return fmt::format("{} in {} such as '{}'", name, unit, example_of(unit));
 }
 
 }    // namespace stylet::core

@@ -15,6 +15,9 @@ struct Quantity {
 /// none. Not finite is a problem, too. Throws Error where the unit database is missing or does not know `unit`.
 [[nodiscard]] Quantity read_quantity(const std::string& text, const std::string& unit);
 
+/// "25 kPa" of "Pa": how a scene may write a quantity of `unit`.
+[[nodiscard]] std::string example_of(const std::string& unit);
+
 /// "a pressure in Pa such as '25 kPa'", "a number without a unit".
 [[nodiscard]] std::string wanted_quantity(const std::string& unit);
 

@@ -33,13 +33,14 @@ double Euler::critical_load(const Column& column) const {
 }    // namespace stylet::euler
 
 STYLET_PLUGIN(
-    stylet::euler::Euler, "euler", stylet::no_parameters, .summary = "The critical load of an ideal column in air",
+    stylet::euler::Euler, "euler", stylet::no_parameters, .summary = "The critical load of an ideal straight column in air",
     .formula =
         "P = k EI/L^2\n"
-        "k = pi^2/4 clamped-free, pi^2 pinned-pinned, 4.4934^2 clamped-pinned (tan x = x), 4 pi^2 clamped-clamped",
+        "k = pi^2/4 clamped-free, pi^2 pinned-pinned, 4.4934^2 clamped-pinned (tan x = x), 4 pi^2 clamped-clamped\n"
+        "P [N] critical load, EI [N m^2] bending stiffness, L [m] free length",
     .source =
-        "Euler 1757; Timoshenko and Gere 1961, sections 2.1 to 2.3; He, Chen and Tang, Eq. (1) is the clamped-free one. "
-        "Deviation: a free length below the needle's radius counts as the radius",
+        "Euler 1757; Timoshenko and Gere 1961, Theory of Elastic Stability, sections 2.1 to 2.3; Eq. (1) of He, Chen and Tang "
+        "is the clamped-free one. Deviation: a free length below the needle's radius counts as the radius",
     .validity =
-        "Slender columns (L above 20 r) that carry their load along the axis, stay elastic and touch nothing between "
-        "their ends")
+        "Slender columns (L above 20 r) that carry their load along the axis, stay elastic and touch nothing between their "
+        "ends. Leaves out shortening, shear, own weight, imperfections and any support from tissue")

@@ -41,11 +41,13 @@ STYLET_PLUGIN(
     stylet::fracture::Fracture, "fracture", stylet::fracture::parameters,
     .summary = "Rupture of the surface, then fracture energy for every length cut",
     .formula =
-        "outside: the tip carries up to F_r; inside: up to F_c = 2 pi r J_c, and cuts at it\n"
-        "energy of a cut of length l: 2 pi r J_c l",
+        "outside: tip force <= F_r, and at F_r the surface ruptures\n"
+        "inside:  tip force <= 2 pi r J_c, and at 2 pi r J_c the tip cuts\n"
+        "a cut of length l costs the energy 2 pi r J_c l\n"
+        "F_r [N] rupture_force, J_c [J/m^2] toughness, r [m] needle radius",
     .source =
-        "He, Chen and Tang, section III, Eq. (7); Gokgol, Basdogan and Canadinc 2012 for J_c of bovine liver. Deviation: the "
-        "energy enters as the limit of the tip's force; core's ledger closes the balance",
+        "He, Chen and Tang, section III, the fracture term of Eq. (7); Gokgol, Basdogan and Canadinc 2012 for J_c = 164 J/m^2 "
+        "of bovine liver. Deviation: the energy enters as the limit of the tip's force, and the ledger closes the balance",
     .validity =
         "A sharp tip whose crack is as long as the needle's circumference. Leaves out rate dependence, the shape of the tip, "
-        "and rupture at the layers below the surface")
+        "and a rupture force of the layers below the surface")

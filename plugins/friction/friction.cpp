@@ -36,8 +36,13 @@ constexpr Parameter parameters[] = {
 
 STYLET_PLUGIN(stylet::friction::Friction, "friction", stylet::friction::parameters,
               .summary = "Dry friction along the shaft, per covered length",
-              .formula = "|F| <= f_s l while it sticks, |F| = f l while it slips; l: covered length of shaft [m]",
+              .formula =
+                  "|f| <= f_s c while a contact sticks\n"
+                  "|f|  = f_k c while it slips\n"
+                  "c [m] shaft that the contact covers, f_k [N/m] per_length, f_s [N/m] static_per_length",
               .source =
-                  "Okamura, Simone and O'Leary 2004, the static and dynamic Coulomb terms of the Karnopp model. Deviation: it "
-                  "sticks exactly, by the coupling, not within a band of speeds",
-              .validity = "Dry sliding, the same both ways. Leaves out damping and any dependence on speed or pressure")
+                  "Okamura, Simone and O'Leary 2004, the static and dynamic Coulomb terms of their modified Karnopp model. "
+                  "Deviation: no viscous part, and the coupling's forces decide what sticks, not a band of velocities",
+              .validity =
+                  "Where the tissue's grip on the shaft depends neither on depth nor on speed. Leaves out the tip, the gradual "
+                  "build-up before slip (Dahl) and any change of grip with the tissue's pressure")

@@ -242,8 +242,8 @@ STYLET_PLUGIN(
     .formula =
         "u_i = sum_j W_ij f_j\n"
         "W_ij = mean over both pieces of track, or loaded patches, of K(x, y) / sqrt(E_i E_j)\n"
-        "K: Mindlin's point load, blurred to the needle's radius a; on the surface (1 - nu^2)/(2 a E)\n"
-        "a square patch of side s under a force along z: mean displacement 0.9464 (1 - nu^2)/(s E) F",
+        "K [1/m] Mindlin's point load, blurred to the needle's radius a; at a tip on the surface (1 - nu^2)/(2 a) along z\n"
+        "a square patch of side s under a force F along z: mean displacement 0.9464 (1 - nu^2) F/(s E)",
     .source =
         "Mindlin 1936; Selvadurai 1976 for the disc; Love 1929, Dydo and Busby 1995 for loaded patches. Deviation: the "
         "blur, and at any depth the tip keeps at least the compliance of a punch on the surface, because the track behind "

@@ -43,6 +43,10 @@ constexpr Parameter parameters[] = {
 
 STYLET_PLUGIN(stylet::recorded_hand::RecordedHand, "recorded_hand", stylet::recorded_hand::parameters,
               .summary = "A hand that repeats a file of poses or a motion written in the scene",
-              .formula = "x(t) = x_i + s (x_i+1 - x_i),  q(t) = slerp(q_i, q_i+1, s),  s = (t - t_i)/(t_i+1 - t_i)",
+              .formula =
+                  "x(t) = x_i + s (x_i+1 - x_i), q(t) = slerp(q_i, q_i+1, s), s = (t - t_i)/(t_i+1 - t_i)\n"
+                  "before the first pose and after the last it holds still",
               .source = "Shoemake 1985, slerp between poses; the limits are those of a Phantom Premium 1.5",
-              .validity = "A recording doesn't yield: what the hand would have done under another force is not known")
+              .validity =
+                  "A recording doesn't yield: whatever force it is given, it goes where it went. What the hand would have done "
+                  "under another force is not known")

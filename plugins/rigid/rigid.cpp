@@ -42,6 +42,10 @@ void RigidNeedle::centreline(std::span<Vector3> points) const {
 
 STYLET_PLUGIN(
     stylet::rigid::RigidNeedle, "rigid", stylet::no_parameters, .summary = "A needle that does not deform",
-    .formula = "x(s) = base + s axis;  base wrench = -sum (f_i, (x_i - base) x f_i)",
+    .formula =
+        "x(s) = x_base + s axis\n"
+        "force on the base = -sum f_i, moment about it = -sum (x_i - x_base) x f_i",
     .source = "Newton's and Euler's balance of a massless rigid body",
-    .validity = "Compression well below the critical load of the real needle, side forces that bend it by less than what matters")
+    .validity =
+        "Compression well below the critical load of the real needle, and side forces that bend it by less than matters. Leaves "
+        "out bending, buckling, stretching, twisting, inertia and weight")

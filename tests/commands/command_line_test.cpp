@@ -11,15 +11,15 @@ using testing::HasSubstr;
 TEST(CommandLine, HelpNamesEveryCommandAndExitCode) {
     const Outcome help = Bench().stylet({"--help"});
     EXPECT_EQ(help.code, 0);
-    for (const char* word :
-         {"  run ", "  check ", "  plugins ", "  scenes ", "  plot ", "Exit codes:", "  0 ", "  1 ", "  2 ", "  3 ", "  4 "}) {
+    for (const char* word : {"  run ", "  check ", "  plugins ", "  scenes ", "  plot ", "  schema ", "Exit codes:", "  0 ",
+                             "  1 ", "  2 ", "  3 ", "  4 "}) {
         EXPECT_THAT(help.out, HasSubstr(word));
     }
 }
 
 TEST(CommandLine, EveryCommandsHelpHasAnExampleAndItsExitCodes) {
     const Bench bench;
-    for (const std::string command : {"run", "check", "plugins", "scenes", "plot"}) {
+    for (const std::string command : {"run", "check", "plugins", "scenes", "plot", "schema"}) {
         const Outcome help = bench.stylet({command, "--help"});
         EXPECT_EQ(help.code, 0) << command;
         EXPECT_THAT(help.out, HasSubstr("  stylet " + command));
@@ -36,7 +36,8 @@ TEST(CommandLine, VersionIsTheProjects) {
 TEST(CommandLine, NoCommandIsAWrongCommandLine) {
     const Outcome nothing = Bench().stylet({});
     EXPECT_EQ(nothing.code, 3);
-    EXPECT_EQ(nothing.err, "stylet: found no command, wanted run, check, plugins, scenes or plot; stylet --help tells more\n");
+    EXPECT_EQ(nothing.err,
+              "stylet: found no command, wanted run, check, plugins, scenes, plot or schema; stylet --help tells more\n");
 }
 
 TEST(CommandLine, AnUnknownCommandIsNamed) {

@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <sstream>
+
 namespace stylet::commands {
 namespace {
 
@@ -25,11 +27,22 @@ TEST(Plugins, AreListedWithTheirRole) {
     }
 }
 
-TEST(Plugins, ShowOnesParametersWithUnitRangeMeaningAndSource) {
+TEST(Plugins, ShowOnesParametersWithUnitRangeAndMeaning) {
     const Outcome friction = Bench().stylet({"plugins", "friction"});
     EXPECT_EQ(friction.code, 0) << friction.err;
     EXPECT_THAT(friction.out, ContainsRegex("per_length +number \\(N/m\\) +≥ 0 +required\n +[a-z]"));
-    EXPECT_THAT(friction.out, ContainsRegex("source: [A-Z]"));
+}
+
+TEST(Plugins, ShowOnesFormulaSourceAndValidityInLinesThatFitAPage) {
+    const Outcome friction = Bench().stylet({"plugins", "friction"});
+    EXPECT_THAT(friction.out,
+                ContainsRegex("\nformula:\n    .+\nsource:\n    Okamura.+\nvalidity:\n    [A-Z].+\nlibrary:\n    /"));
+    std::istringstream lines(friction.out);
+    constexpr std::size_t page = 120;    // [bytes] 110 characters and some of more than a byte
+    for (std::string line; std::getline(lines, line);) {
+        const bool path = line.ends_with("friction.so");
+        EXPECT_TRUE(path || line.size() <= page) << line;
+    }
 }
 
 TEST(Plugins, ShowTheFieldsOfRecordsFurtherIn) {
@@ -44,6 +57,8 @@ TEST(Plugins, AreDescribedAsJsonToo) {
     EXPECT_GE(all.size(), 7U);
     const json hand = json::parse(bench.stylet({"plugins", "recorded_hand", "--json"}).out);
     EXPECT_EQ(hand["role"], "device");
+    for (const char* text : {"summary", "formula", "source", "validity"})
+        EXPECT_FALSE(hand[text].get<std::string>().empty()) << text;
     const auto motion = std::find_if(hand["parameters"].begin(), hand["parameters"].end(),
                                      [](const json& parameter) { return parameter["name"] == "motion"; });
     ASSERT_NE(motion, hand["parameters"].end());

@@ -27,6 +27,12 @@ TEST(Units, ConvertToSi) {
     EXPECT_DOUBLE_EQ(value_of("1 kg m s-2", "N"), 1.0);
 }
 
+TEST(Units, AreShownByExamplesThatCanBeRead) {
+    for (const std::string unit : {"m", "Pa", "N/m", "J/m^2", "kg/m^3", "N*s/m", "K", "m^2/s"}) {
+        EXPECT_GT(value_of(example_of(unit), unit), 0.0) << example_of(unit);
+    }
+}
+
 TEST(Units, ReadANumberWithoutADimensionAsItStands) {
     EXPECT_EQ(value_of("0.49", "1"), 0.49);
     EXPECT_EQ(value_of("-15", "1"), -15.0);

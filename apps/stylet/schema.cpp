@@ -1,0 +1,164 @@
+#include "apps/stylet/schema.h"
+
+#include "apps/stylet/parameter_schema.h"
+#include "core/run/sample.h"
+#include "core/scene/scene_format.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace stylet::app {
+namespace {
+
+using core::Section;
+using nlohmann::ordered_json;
+
+constexpr const char* about =
+    "A scene of Stylet, with the plugins that were found when this schema was written. A number with a dimension carries its "
+    "unit "
+    "('25 kPa'), one without carries none. `stylet check` sees more than an editor can: whether a unit fits, files, and what "
+    "several "
+    "keys say together.";
+
+/// The schemas of one set of plugins: each plugin's own map once, under `definitions`, referred to by the sections.
+class SceneSchema {
+public:
+    explicit SceneSchema(std::span<const core::PluginLibrary> plugins) {
+        for (const core::PluginLibrary& plugin : plugins) plugins_.push_back(&plugin.descriptor());
+    }
+
+    ordered_json of_scene() {
+        ordered_json schema = map_schema(core::scene_keys);
+        ordered_json properties{
+            {"stylet", {{"const", core::format_version}, {"description", "the version of the scene format"}}}};
+        properties.update(schema["properties"]);
+        for (const Section* section : core::sections) properties[section->key] = of_section(*section);
+        schema["properties"] = properties;
+        add_required("stylet", schema);
+        schema["required"].push_back(core::run_section.key);
+        schema["allOf"] = presence_rules();
+        ordered_json whole{
+            {"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "Stylet scene"}, {"description", about}};
+        whole.update(schema);
+        whole["definitions"] = definitions_;
+        return whole;
+    }
+
+private:
+    ordered_json of_section(const Section& section) {
+        ordered_json schema;
+        switch (section.shape) {
+            case Section::Shape::map:
+                schema = of_map(section);
+                break;
+            case Section::Shape::list_of_maps:
+                schema = {{"type", "array"}, {"items", of_map(section)}};
+                break;
+            case Section::Shape::list_of_words:
+                schema = {{"type", "array"}, {"items", of_columns()}, {"minItems", 1}};
+                break;
+        }
+        schema["description"] = section.meaning;
+        return schema;
+    }
+
+    ordered_json of_map(const Section& section) {
+        ordered_json schema = map_schema(section.keys);
+        if (section.role) choose_plugin(section, schema);
+        if (section.part != nullptr) schema["properties"][section.part->key] = of_section(*section.part);
+        return schema;
+    }
+
+    /// Adds `type`, and what each of its values asks for.
+    void choose_plugin(const Section& section, ordered_json& schema) {
+        ordered_json names = ordered_json::array(), summaries = ordered_json::array(), rules = ordered_json::array();
+        ordered_json own = schema["properties"];
+        for (const Descriptor* plugin : plugins_) {
+            if (plugin->role != *section.role) continue;
+            names.push_back(plugin->name);
+            summaries.push_back(plugin->about.summary);
+            const ordered_json definition = {{"$ref", define(section, *plugin, own)}};
+            if (section.swappable) schema["properties"][plugin->name] = definition;
+            if (!section.swappable) rules.push_back(if_type(plugin->name, definition));
+            if (section.swappable && asks_for_its_map(*plugin)) {
+                rules.push_back(if_type(plugin->name, {{"required", {plugin->name}}}));
+            }
+        }
+        ordered_json properties{
+            {"type", {{"enum", names}, {"enumDescriptions", summaries}, {"description", "the plugin's name"}}}};
+        properties.update(schema["properties"]);
+        schema["properties"] = properties;
+        add_required("type", schema);
+        if (!section.swappable) schema.erase("additionalProperties");    // each plugin's definition has its own
+        if (!rules.empty()) schema["allOf"] = rules;
+    }
+
+    static void add_required(const char* first, ordered_json& schema) {
+        schema["required"].insert(schema["required"].begin(), first);
+    }
+
+    static bool asks_for_its_map(const Descriptor& plugin) {
+        return std::ranges::any_of(parameters_of(plugin),
+                                   [](const Parameter& parameter) { return parameter.need == Need::required; });
+    }
+
+    static ordered_json if_type(const char* name, const ordered_json& then) {
+        return {{"if", {{"properties", {{"type", {{"const", name}}}}}, {"required", {"type"}}}}, {"then", then}};
+    }
+
+    /// Where the definition of the plugin's map stands. `beside` are the section's own keys, which share the map unless it is
+    /// swappable.
+    std::string define(const Section& section, const Descriptor& plugin, const ordered_json& beside) {
+        ordered_json map = map_schema(parameters_of(plugin), fmt::format("{}: {}", plugin.name, plugin.about.source));
+        if (!section.swappable) {
+            map["properties"]["type"] = true;
+            for (const auto& [key, schema] : beside.items()) map["properties"][key] = true;
+        }
+        map["description"] = fmt::format("{}\n\n{}", plugin.about.summary, plugin.about.source);
+        definitions_[plugin.name] = map;
+        return fmt::format("#/definitions/{}", plugin.name);
+    }
+
+    static ordered_json of_columns() {
+        ordered_json words = ordered_json::array(), meanings = ordered_json::array();
+        for (const std::string& word : core::record_words()) {
+            words.push_back(word);
+            const auto column = std::ranges::find(core::all_columns(), word, &core::Column::name);
+            const bool group = column == core::all_columns().end();
+            meanings.push_back(group ? "every column of the energy ledger"
+                                     : fmt::format("[{}] {}", column->unit, column->meaning));
+        }
+        return {{"enum", words}, {"enumDescriptions", meanings}};
+    }
+
+    /// What the sections ask of each other, as check_sections (core/scene/reader.cpp) has it.
+    static ordered_json presence_rules() {
+        const char* const tissue = core::tissue_section.key;
+        const char* const needle = core::needle_section.key;
+        const char* const device = core::device_section.key;
+        const char* const coupling = core::coupling_section.key;
+        const auto there = [](const auto&... keys) { return ordered_json{{"required", {keys...}}}; };
+        const auto absent = [&](const char* key) { return ordered_json{{"not", there(key)}}; };
+        const auto none = [](const char* key) { return ordered_json{{"properties", {{key, false}}}}; };
+        const auto rule = [](const ordered_json& when, const ordered_json& then) {
+            return ordered_json{{"if", when}, {"then", then}};
+        };
+        return ordered_json::array({rule(absent(needle), there(tissue)), rule(there(tissue, needle), there(device, coupling)),
+                                    rule(absent(tissue), none(coupling)), rule(absent(needle), none(coupling)),
+                                    rule(absent(needle), none(device)),
+                                    rule(absent(device), {{"properties", {{core::run_section.key, there("duration")}}}})});
+    }
+
+    std::vector<const Descriptor*> plugins_;
+    ordered_json definitions_ = ordered_json::object();
+};
+
+}    // namespace
+
+std::string scene_schema(std::span<const core::PluginLibrary> plugins) {
+    return SceneSchema(plugins).of_scene().dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+}    // namespace stylet::app
