@@ -57,6 +57,7 @@ TEST(Contract, NoticesEveryFlawOfATissue) {
         {"negative compliance", "ComplianceIsNotNegative"},
         {"sags", "UnloadedPointsRestWhereTheyAre"},
         {"keeps a dent", "UnloadingReturnsToRest"},
+        {"creeps at one instant", "StandsStillAtOneInstant"},
         {"interface belongs above", "LocatesItsLayers"},
         {"enters late", "FindsWhereAWayEnters"},
         {"always in doubt", "StartsWithinItsValidity"},

@@ -48,7 +48,9 @@ public:
         if (flaw_.is("differs from its twin")) softness_ *= 1.0 + 1e-15 * ++made;
     }
 
-    void predict(double) override {}
+    void predict(double) override {
+        if (flaw_.is("creeps at one instant")) trial_.shift -= 1e-6;
+    }
 
     Linearisation linearise(ContactPoints points, double) override {
         const auto n = static_cast<Eigen::Index>(points.size());

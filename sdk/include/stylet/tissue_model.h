@@ -18,7 +18,7 @@ class TissueModel : public Body {
 public:
     static constexpr Role role = Role::tissue;
 
-    /// Moves the tissue under everything already known for `dt` [s]. dt = 0 means that core solves again at the same instant.
+    /// Moves the tissue under everything already known for `dt` [s]. dt = 0: core solves again at one instant, nothing moves on.
     virtual void predict(double dt) = 0;
 
     /// The patches that the scene's effects load, told once before anything else; they live as long as the tissue. A force on a
