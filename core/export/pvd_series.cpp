@@ -14,7 +14,7 @@ namespace stylet::core {
 namespace {
 
 constexpr const char* opening = R"(<?xml version="1.0"?>
-<VTKFile type="Collection" version="1.0">
+<VTKFile type="Collection" version="0.1">
 <Collection>
 )";
 constexpr const char* closing = "</Collection>\n</VTKFile>\n";

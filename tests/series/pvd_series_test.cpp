@@ -15,7 +15,7 @@ namespace {
 using testing::EndsWith;
 using testing::StartsWith;
 
-constexpr const char* opening = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>\n";
+constexpr const char* opening = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
 constexpr const char* closing = "</Collection>\n</VTKFile>\n";
 
 UnstructuredGrid point() {

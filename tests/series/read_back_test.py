@@ -202,6 +202,15 @@ run: {rate: 100 Hz, duration: 1 s}
             expected = (at + self.TICK) * numpy.array([x / 10, y / 5 + z / 4, -z / 10]).T
             numpy.testing.assert_allclose(mesh.point_data["displacement"], expected, atol=2 * NEARLY)
 
+    def test_cells_are_not_inside_out_and_fill_the_block(self):
+        with tempfile.TemporaryDirectory() as folder:
+            mesh = whole_series(self.stretched(pathlib.Path(folder)))[0][1]
+        points = mesh.points - mesh.point_data["displacement"]
+        corner, x, y, z = (points[mesh.cells_dict["hexahedron"][:, i]].astype(float) for i in (0, 1, 3, 4))    # in VTK's order
+        volumes = numpy.einsum("ij,ij->i", numpy.cross(x - corner, y - corner), z - corner)
+        self.assertGreater(volumes.min(), 0.0)
+        self.assertAlmostEqual(volumes.sum(), 0.1 * 0.06 * 0.03, delta=1e-6 * volumes.sum())
+
     def test_without_a_needle_cells_are_even_and_no_other_series_is_written(self):
         with tempfile.TemporaryDirectory() as folder:
             pvd = self.stretched(pathlib.Path(folder))
