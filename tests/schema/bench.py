@@ -11,7 +11,6 @@ import yaml
 
 SOURCE = pathlib.Path(os.environ["SOURCE"])
 TEST_PLUGINS = ["--plugin-dir", os.environ["TEST_PLUGINS"]]  # those of tests/loading, on which tests/bad_scenes are written
-LINES = 20  # of a message that are shown
 
 
 def stylet(*arguments, folder=None):
@@ -51,7 +50,7 @@ def read(text):
 
 
 def complaints(scene, validator):
-    """What an editor marks, one `path: message` each; nested ones where a choice of schemas failed."""
+    """What an editor marks, one `path: message` each."""
     return [f"{'.'.join(map(str, error.absolute_path)) or 'scene'}: {error.message}" for error in validator.iter_errors(scene)]
 
 

@@ -2,6 +2,7 @@
 """docs/plugins is what `stylet plugins --pages` writes now; the pages hold nothing of this machine, and YAML that can be read."""
 
 import difflib
+import os
 import pathlib
 import re
 import tempfile
@@ -10,6 +11,7 @@ import unittest
 import bench
 
 PAGES = bench.SOURCE / "docs/plugins"
+SHOWN = 20  # lines of a change
 REMEDY = "\nWrite the pages again and commit them:\n    build/release/bin/stylet plugins --pages docs/plugins"
 
 
@@ -26,19 +28,19 @@ class Pages(unittest.TestCase):
         cls.kept = texts(PAGES)
 
     def test_are_those_of_the_plugins_that_there_are(self):
-        surplus = sorted(set(self.kept) - set(self.written))
-        self.assertEqual(surplus, [], f"\nThere are no such plugins; take the pages out:\n    git rm {' '.join(f'docs/plugins/{name}' for name in surplus)}")
+        surplus = sorted(f"docs/plugins/{name}" for name in set(self.kept) - set(self.written))
+        self.assertEqual(surplus, [], f"\nThere are no such plugins. Take their pages out:\n    git rm {' '.join(surplus)}")
         self.assertEqual(sorted(set(self.written) - set(self.kept)), [], REMEDY)
 
     def test_say_what_the_plugins_declare(self):
         for name, text in self.written.items():
             kept = self.kept.get(name, "")
-            change = difflib.unified_diff(kept.splitlines(), text.splitlines(), f"docs/plugins/{name}", "written now", lineterm="", n=1)
-            self.assertTrue(kept == text, "\n" + "\n".join(list(change)[:bench.LINES]) + REMEDY)
+            change = list(difflib.unified_diff(kept.splitlines(), text.splitlines(), f"docs/plugins/{name}", "written now", "", "", 1, ""))
+            self.assertTrue(kept == text, "\n" + "\n".join(change[:SHOWN]) + REMEDY)
 
     def test_hold_nothing_of_this_machine(self):
         for name, text in self.written.items():
-            for path in (bench.SOURCE, bench.os.environ["STYLET"], "/lib/", ".so"):
+            for path in (bench.SOURCE, os.environ["STYLET"], "/lib/", ".so"):
                 self.assertNotIn(str(path), text, name)
 
     def test_show_yaml_that_can_be_read(self):
