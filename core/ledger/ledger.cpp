@@ -37,11 +37,13 @@ double released(const ContactSet& contacts, double relocation) {
     return work;
 }
 
-// Of what pushes the tip of a needle that is alone: all it moves is against that.
+// Of what pushes the tip of a needle that is alone: all it moves is against that. Where it is held, its way is rounding.
 double end_work(const ContactSet& contacts) {
     if (!contacts.in_air) return 0.0;
     const ContactRow& tip = contacts.rows.front();
-    return mean(tip, tip.old_effect_force, tip.effect_force).dot(tip.offset);
+    const Vector3 force = mean(tip, tip.old_effect_force, tip.effect_force);
+    const bool held = tip.upper > 0.0;
+    return (tip.lateral ? 0.0 : force.head<2>().dot(tip.offset.head<2>())) + (held ? 0.0 : force.z() * tip.offset.z());
 }
 
 EnergyReport both(const NeedleModel& needle, const TissueModel& tissue) {
