@@ -8,7 +8,8 @@ enum class ExitCode : int {
     fault = 1,            // a run ended with a fault
     wrong_input = 2,      // a scene, a plugin or a recording is wrong or not there
     wrong_command = 3,    // the command line makes no sense
-    missing = 4           // a file cannot be written, gnuplot is not there
+    missing = 4,          // a file cannot be written, gnuplot is not there
+    interrupted = 130     // Ctrl-C; what was done is kept
 };
 
 }    // namespace stylet::app

@@ -28,6 +28,7 @@ Exit codes:
   2  a scene, a plugin or a recording is wrong or not there
   3  the command line makes no sense
   4  something is missing: a file cannot be written, gnuplot is not there
+  130  stopped by Ctrl-C; what was done until then is kept
 
 `stylet COMMAND --help` tells more about each command.)";
 

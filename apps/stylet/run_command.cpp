@@ -2,9 +2,11 @@
 #include "core/run/run.h"
 #include "core/scene/complaints.h"
 #include "core/scene/units.h"
+#include "core/workers/worker_pool.h"
 
 #include "apps/stylet/command.h"
 #include "apps/stylet/failure.h"
+#include "apps/stylet/interrupt.h"
 #include "apps/stylet/output.h"
 #include "apps/stylet/progress_bar.h"
 #include "apps/stylet/scene_arguments.h"
@@ -26,6 +28,9 @@ constexpr const char* examples =
 summary: events, peak force, when the needle buckled and at what load, the energy ledger, the time a tick took.
 With --vtu it also leaves pictures for ParaView and its kin: FOLDER/<scene>_tissue.pvd, _needle.pvd and _contacts.pvd, each an
 animation. Tissue is drawn where it is; its points minus its array `displacement` are where it was undeformed.
+With --real-time each tick comes at its own moment of the wall clock, as a hand would feel it: on a thread of its own, SCHED_FIFO
+and with all memory locked where the system allows it (otherwise it says so and goes on without). Ctrl-C ends a run early and
+keeps what was done.
 Plugins are looked for in each --plugin-dir, then in the folders of STYLET_PLUGIN_PATH, then in the install.
 
 Examples:
@@ -34,9 +39,10 @@ Examples:
   stylet run scenes/paper/fig9.yaml --set needle.length='180 mm' --set 'effects[0].rupture_force=0.7 N' --json fig9.json
   stylet run scenes/paper/fig9.yaml --json - | python3 -m json.tool
   stylet run scenes/paper/fig9.yaml --vtu pictures --vtu-rate '100 Hz'
+  stylet run scenes/paper/fig9.yaml --real-time
 
 Exit codes: 0 ok, 1 a run ended with a fault, 2 a scene is wrong (nothing is run then), 3 wrong command line,
-4 a file cannot be written.)";
+4 a file cannot be written, 130 stopped by Ctrl-C.)";
 
 struct RunArguments {
     SceneArguments scenes;
@@ -44,6 +50,8 @@ struct RunArguments {
     std::string json;
     std::string vtu;
     std::string vtu_rate = "25 Hz";
+    int threads = core::processors();
+    bool real_time = false;
     bool quiet = false;
 };
 
@@ -109,6 +117,8 @@ FinishedRun run_one(const core::Scene& scene, const std::string& name, const fs:
     ProgressBar bar(name);
     core::RunOptions options;
     options.recording = recording;
+    options.threads = arguments.threads;
+    options.stop = &Interrupt::asked();
     if (!arguments.quiet) options.progress = [&bar](double fraction) { bar.show(fraction); };
     try {
         std::optional<core::SceneSeries> series;
@@ -116,7 +126,8 @@ FinishedRun run_one(const core::Scene& scene, const std::string& name, const fs:
             series.emplace(scene, pictures->folder, fs::path(name).stem().string(), pictures->rate);
             options.observe = [&series](const core::Simulation& simulation) { series->observe(simulation); };
         }
-        core::RunReport report = core::run(scene, arguments.scenes.folders(), options);
+        const auto play = arguments.real_time ? core::run_in_real_time : core::run;
+        core::RunReport report = play(scene, arguments.scenes.folders(), options);
         return {name, recording.string(), std::move(report), finished(series)};
     } catch (const Error& error) {    // with a key it is the scene's fault, without one a file's
         if (error.key().empty()) throw Failure(ExitCode::missing, error.what());
@@ -149,12 +160,14 @@ ExitCode run_all(const RunArguments& arguments) {
     for (const fs::path& recording : recordings) expect_writable(recording);
     if (!arguments.json.empty() && arguments.json != "-") expect_writable(arguments.json);
 
+    const Interrupt interrupt;
     bool fault = false;
-    for (std::size_t i = 0; i < scenes.size(); ++i) {
+    for (std::size_t i = 0; i < scenes.size() && !Interrupt::asked(); ++i) {
         const FinishedRun run = run_one(scenes[i], names[i], recordings[i], pictures, arguments);
         report(run, arguments, i == 0);
         fault |= ended_in_fault(run.report);
     }
+    if (Interrupt::asked()) return ExitCode::interrupted;
     return fault ? ExitCode::fault : ExitCode::ok;
 }
 
@@ -174,6 +187,11 @@ Command run_command(CLI::App& line) {
         ->type_name("RATE")
         ->needs(vtu)
         ->capture_default_str();
+    options->add_flag("--real-time", arguments->real_time, "Each tick at its own moment of the wall clock")->excludes(vtu);
+    options
+        ->add_option("--threads", arguments->threads, "That models may share their work among; left out, one for each processor")
+        ->type_name("N")
+        ->check(CLI::Range(1, 256));
     options->add_flag("--quiet", arguments->quiet, "No progress bar and no summary");
     return {options, [arguments] { return run_all(*arguments); }};
 }

@@ -57,7 +57,8 @@ std::string events_text(const core::RunReport& report) {
         add(table,
             {event.name, seconds(event.time), millimetres(event.travel), millimetres(event.depth), newtons(event.hand_force)});
     }
-    return table.text(2);
+    const std::string rest = report.unlisted_events == 0 ? "" : fmt::format("  … and {} more\n", report.unlisted_events);
+    return table.text(2) + rest;
 }
 
 std::string findings_text(const core::RunReport& report) {
@@ -127,6 +128,30 @@ std::string series_text(const FinishedSeries& series) {
                        series.period);
 }
 
+std::string upper_bound(std::size_t bin) {
+    const auto& bounds = core::Latency::upper_bounds;
+    return bin < bounds.size() ? fmt::format("< {:g} µs", bounds[bin]) : fmt::format("≥ {:g} µs", bounds.back());
+}
+
+std::string real_time_text(const std::optional<core::RealTimeReport>& run) {
+    if (!run) return "";
+    Table grants({Align::left, Align::left});
+    grants.add({"scheduling", run->scheduling});
+    grants.add({"memory", run->memory});
+    grants.add({"wall clock", seconds(run->wall_time)});
+    grants.add({"overruns", fmt::format("{} ticks, {} periods given up, {} rows of the recording lost", run->overruns,
+                                        run->skipped, run->lost_rows)});
+    grants.add({"worst", fmt::format("woke {} after its deadline, device answered {} after it", microseconds(run->woke.worst()),
+                                     microseconds(run->answered.worst()))});
+    Table bins({Align::right, Align::right, Align::right});
+    bins.add({"after the deadline", "woke", "device answered"});
+    for (std::size_t bin = 0; bin < core::Latency::bins; ++bin) {
+        const std::size_t woke = run->woke.counts()[bin], answered = run->answered.counts()[bin];
+        if (woke + answered > 0) bins.add({upper_bound(bin), std::to_string(woke), std::to_string(answered)});
+    }
+    return "  real time\n" + grants.text(4) + bins.text(4) + "\n";
+}
+
 std::string cost_text(const FinishedRun& run) {
     const core::RunReport& report = run.report;
     Table table({Align::left, Align::left});
@@ -141,8 +166,9 @@ std::string cost_text(const FinishedRun& run) {
 }    // namespace
 
 std::string summary_text(const FinishedRun& run) {
-    return fmt::format("{}\n  scene {}\n\n{}\n{}\n{}\n{}{}", run.report.title, run.scene, events_text(run.report),
-                       findings_text(run.report), ledger_text(run.report), hand_text(run.report.hand), cost_text(run));
+    return fmt::format("{}\n  scene {}\n\n{}\n{}\n{}\n{}{}{}", run.report.title, run.scene, events_text(run.report),
+                       findings_text(run.report), ledger_text(run.report), hand_text(run.report.hand),
+                       real_time_text(run.report.real_time), cost_text(run));
 }
 
 bool ended_in_fault(const core::RunReport& report) {

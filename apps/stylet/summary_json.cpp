@@ -83,6 +83,22 @@ std::string summary_json(const FinishedRun& run) {
                 {"not_finite_ticks", chain.not_finite},
                 {"least_port_energy", number(report.hand->least_port_energy)}};
     }
+    ordered_json real_time = nullptr;
+    if (report.real_time) {
+        const core::RealTimeReport& loop = *report.real_time;
+        real_time = {{"scheduling", loop.scheduling},
+                     {"memory", loop.memory},
+                     {"wall_time", number(loop.wall_time)},
+                     {"overruns", loop.overruns},
+                     {"skipped", loop.skipped},
+                     {"lost_rows", loop.lost_rows},
+                     {"latency_us",
+                      {{"upper_bounds", core::Latency::upper_bounds},
+                       {"woke", loop.woke.counts()},
+                       {"answered", loop.answered.counts()},
+                       {"woke_worst", number(loop.woke.worst())},
+                       {"answered_worst", number(loop.answered.worst())}}}};
+    }
     const auto of_needle = [&report](double value) { return report.has_needle ? number(value) : ordered_json(nullptr); };
     const core::TickReport& tick = report.tick_us;
     const ordered_json json{{"title", report.title},
@@ -90,12 +106,14 @@ std::string summary_json(const FinishedRun& run) {
                             {"hash", report.hash},
                             {"recording", run.recording},
                             {"events", events},
+                            {"unlisted_events", report.unlisted_events},
                             {"peak_hand_force", of_needle(report.peak_hand_force)},
                             {"largest_deflection", of_needle(report.largest_deflection)},
                             {"buckling", buckling},
                             {"ledger", ledger_json(report.ledger)},
                             {"loads", loads_json(report.loads)},
                             {"hand", hand},
+                            {"real_time", real_time},
                             {"tick_us", {{"median", number(tick.median)}, {"p99", number(tick.p99)}, {"max", number(tick.max)}}},
                             {"ticks", report.ticks},
                             {"duration", number(report.duration)},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/device/force_chain.h"
+#include "core/run/real_time_loop.h"
 #include "core/run/sample.h"
 
 #include <stylet/patch.h>
@@ -61,6 +62,7 @@ struct RunReport {
     std::string title;
     std::string hash;
     std::vector<EventReport> events;
+    std::size_t unlisted_events = 0;    // more than a report has room for
     double peak_hand_force = 0.0;       // [N]
     double largest_deflection = 0.0;    // [m]
     std::vector<BucklingReport> buckling;
@@ -69,6 +71,7 @@ struct RunReport {
     PatchReport loads;
     bool has_needle = true, has_tissue = true;    // what the scene names
     TickReport tick_us;
+    std::optional<RealTimeReport> real_time;    // of a run on the wall clock
     std::size_t ticks = 0;
     double duration = 0.0;    // [s]
     std::vector<std::string> libraries;

@@ -81,6 +81,18 @@ TEST_F(Recording, HasARowForEachTickWithItsEvents) {
     EXPECT_EQ(rows, expected);
 }
 
+TEST_F(Recording, HoldsNoWordsThatAReaderOfCsvWouldTakeForMore) {
+    const Recorder::Heading odd{.title = "Two\nlines", .scene = "a\nb.yaml", .hash = "0123456789abcdef"};
+    Recorder recorder(file("a.csv"), odd, columns_of({}));
+    const std::array events{Event{.name = "slope over 45°, \"bent\"; #1\n"}, Event{.name = "touched"}};
+    ASSERT_TRUE(recorder.push(sample_at(0.001), events));
+    recorder.finish();
+    const std::vector<std::string> expected{"# stylet recording 1",  "# title: Two\\x0alines",
+                                            "# scene: a\\x0ab.yaml", "# hash: 0123456789abcdef",
+                                            "time [s],event",        "0.001,slope over 45°   bent    1 ; touched"};
+    EXPECT_EQ(lines(file("a.csv")), expected);
+}
+
 TEST_F(Recording, KeepsEveryBitOfANumber) {
     constexpr double third = 1.0 / 3.0;
     Recorder recorder(file("a.csv"), heading, columns_of({"depth"}));
