@@ -183,7 +183,7 @@ Command run_command(CLI::App& line) {
         ->type_name("FILE");
     CLI::Option* vtu = options->add_option("--vtu", arguments->vtu, "Folder for VTU and PVD files of tissue and needle");
     vtu->type_name("FOLDER");
-    options->add_option("--vtu-rate", arguments->vtu_rate, "How many of them a simulated second; whole ticks lie between two")
+    options->add_option("--vtu-rate", arguments->vtu_rate, "Pictures a simulated second, to the nearest whole tick")
         ->type_name("RATE")
         ->needs(vtu)
         ->capture_default_str();
