@@ -11,8 +11,10 @@
 namespace stylet::core {
 
 /// Writes a run as CSV while it goes: `#` lines of title, scene and hash, a row of names with units, one row for each tick, whose
-/// last column names the tick's events. A thread of its own drains a ring and flushes twenty times a second, so a killed run
-/// keeps all but its last tenth of a second and the tick makes no system call.
+/// last column names the tick's events. A thread of its own drains a ring and writes twenty times a second, so a killed run
+/// keeps all but its last tenth of a second and the tick makes no system call. Whole rows go to each write(2): a killed run ends
+/// with a whole one, unless it dies within those microseconds and the system stops between two pages of the file; readers leave
+/// out a last line without its line feed.
 class Recorder {
 public:
     struct Heading {

@@ -8,10 +8,10 @@
 namespace stylet::recorded_hand {
 namespace {
 
-void check(const std::vector<RecordedHand::Key>& keys) {
+void check(const auto& keys) {
     fuzzing::demand(!keys.empty(), "a hand has a pose");
     double before = -1.0;    // [s]
-    for (const RecordedHand::Key& key : keys) {
+    for (const auto& key : keys) {
         constexpr double rounding = 1e-15;    // of a normalised quaternion's length
         fuzzing::demand(std::isfinite(key.time) && key.time >= 0.0 && key.time > before, "times rise from 0 on");
         fuzzing::demand(key.pose.position.allFinite(), "positions are finite");
