@@ -29,7 +29,8 @@ struct Balance {
 /// What a step cost beside what bodies and contacts tell.
 struct StepCosts {
     double loads = 0.0;         // [J] work of loads on the tissue's surface
-    double relocation = 0.0;    // [J] by which moving the old forces to the new contact points changed the tissue's energy
+    double relocation = 0.0;    // [J] by which moving the old forces to the new contact points changed the tissue's energy, less
+                                // the work of loads on the way
     double fracture = 0.0;      // [J] what the effects say that cutting consumed
 };
 

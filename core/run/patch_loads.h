@@ -26,13 +26,22 @@ public:
         tissue_.load(forces_);
     }
 
+    /// The contacts have moved on in the tissue, and the patches with them.
+    void note_carried() {
+        for (int i = 0; i < count(); ++i) loads_[i].carried = tissue_.patch_displacement(i) - loads_[i].displacement;
+    }
+
     /// [J] that the step did, in the tissue's latest trial state, by the trapezoid rule.
     [[nodiscard]] double work() const {
         double work = 0.0;
-        for (int i = 0; i < count(); ++i) {
-            const Load& load = loads_[i];
-            work += 0.5 * (load.force + forces_[i]).dot(tissue_.patch_displacement(i) - load.displacement);
-        }
+        for (int i = 0; i < count(); ++i) work += mean_force(i).dot(tissue_.patch_displacement(i) - loads_[i].displacement);
+        return work;
+    }
+
+    /// [J] of that, what was done because contacts had moved on.
+    [[nodiscard]] double work_carried() const {
+        double work = 0.0;
+        for (int i = 0; i < count(); ++i) work += mean_force(i).dot(loads_[i].carried);
         return work;
     }
 
@@ -53,7 +62,10 @@ private:
         const ForceModel* effect;
         Vector3 force = Vector3::Zero();           // [N]
         Vector3 displacement = Vector3::Zero();    // [m]
+        Vector3 carried = Vector3::Zero();         // [m]
     };
+
+    [[nodiscard]] Vector3 mean_force(int i) const { return 0.5 * (loads_[i].force + forces_[i]); }
 
     TissueModel& tissue_;
     std::vector<Load> loads_;

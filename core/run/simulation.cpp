@@ -134,12 +134,14 @@ bool Simulation::step(const Pose& target, double dt, double most_advance) {
     needle_.predict(target, contacts_.free_length(), dt);
     contacts_.arrange(needle_, tissue_, effects_, now_ + dt, set_);
     StepCosts costs{.relocation = coupling_.carry(tissue_, set_)};
+    loads_.note_carried();
     loads_.apply(now_ + dt);
     tissue_.predict(dt);
     const CouplingReport report = coupling_.solve(needle_, tissue_, set_, contacts_.mouth(), most_advance, dt);
     // Slip at the mouth of the track has changed the free length: a bowed needle's energy with it, in this step's books.
     needle_.predict(target, contacts_.free_length_after(set_), 0.0);
     costs.loads = loads_.work();
+    costs.relocation -= loads_.work_carried();
     const bool at_rest = dt == 0.0;
     if (at_rest) {
         const double allowed = std::max(run_on_imbalance * ledger_.peak_work(), std::numeric_limits<double>::min());
