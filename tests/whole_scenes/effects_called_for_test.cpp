@@ -1,12 +1,11 @@
 // Only what a scene calls for is in the process, and costs anything.
 #include "tests/commands/command.h"
+#include "tests/whole_scenes/mapped_plugins.h"
 #include "tests/whole_scenes/trace.h"
 
 #include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>
-
-#include <fstream>
 
 namespace stylet::whole_scenes {
 namespace {
@@ -14,21 +13,6 @@ namespace {
 const core::Override flexible{"needle.type", "beam_column"};
 const core::Override may_buckle{"needle.buckling", "{type: euler}"};
 const core::Override short_stroke{"device.cycles", "1"};
-
-/// The plugins mapped into this process, by name.
-std::vector<std::string> mapped_plugins() {
-    std::vector<std::string> names;
-    std::ifstream maps("/proc/self/maps");
-    for (std::string line; std::getline(maps, line);) {
-        const auto path = line.find('/');
-        if (path == std::string::npos) continue;
-        const std::filesystem::path file = line.substr(path);
-        if (file.parent_path() != PLUGIN_FOLDER) continue;
-        if (std::ranges::find(names, file.stem().string()) == names.end()) names.push_back(file.stem().string());
-    }
-    std::ranges::sort(names);
-    return names;
-}
 
 TEST(Libraries, AreAllGoneOnceASceneIsRead) {
     for (const char* name : {"fig9", "fig10a_l150"}) (void)core::read_scene(paper_scene(name), {}, plugin_folders());
