@@ -49,8 +49,8 @@ std::string range_text(const Parameter& parameter) {
     if (!has_range(parameter.kind)) return "";
     const Range& range = parameter.range;
     const bool below = std::isfinite(range.least), above = std::isfinite(range.greatest);
-    const std::string least = fmt::format("{} {}", range.open_below ? ">" : "≥", range.least);
-    const std::string greatest = fmt::format("{} {}", range.open_above ? "<" : "≤", range.greatest);
+    std::string least = fmt::format("{} {}", range.open_below ? ">" : "≥", range.least);
+    std::string greatest = fmt::format("{} {}", range.open_above ? "<" : "≤", range.greatest);
     if (below && above) return least + " and " + greatest;
     if (below) return least;
     if (above) return greatest;

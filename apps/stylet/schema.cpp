@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace stylet::app {
@@ -16,11 +17,8 @@ using core::Section;
 using nlohmann::ordered_json;
 
 constexpr const char* about =
-    "A scene of Stylet, with the plugins that were found when this schema was written. A number with a dimension carries its "
-    "unit "
-    "('25 kPa'), one without carries none. `stylet check` sees more than an editor can: whether a unit fits, files, and what "
-    "several "
-    "keys say together.";
+    "A scene of Stylet and the plugins that it can name. A number with a dimension carries its unit ('25 kPa'), one without "
+    "carries none. stylet check sees more than an editor: whether a unit fits, files, and what several keys say together.";
 
 /// The schemas of one set of plugins: each plugin's own map once, under `definitions`, referred to by the sections.
 class SceneSchema {
@@ -31,18 +29,14 @@ public:
 
     ordered_json of_scene() {
         ordered_json schema = map_schema(core::scene_keys);
-        ordered_json properties{
-            {"stylet", {{"const", core::format_version}, {"description", "the version of the scene format"}}}};
-        properties.update(schema["properties"]);
-        for (const Section* section : core::sections) properties[section->key] = of_section(*section);
-        schema["properties"] = properties;
-        add_required("stylet", schema);
+        put_first("stylet", {{"const", core::format_version}, {"description", "the version of the scene format"}}, schema);
+        for (const Section* section : core::sections) schema["properties"][section->key] = of_section(*section);
         schema["required"].push_back(core::run_section.key);
         schema["allOf"] = presence_rules();
+        schema["definitions"] = definitions_;
         ordered_json whole{
             {"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "Stylet scene"}, {"description", about}};
         whole.update(schema);
-        whole["definitions"] = definitions_;
         return whole;
     }
 
@@ -73,30 +67,56 @@ private:
 
     /// Adds `type`, and what each of its values asks for.
     void choose_plugin(const Section& section, ordered_json& schema) {
-        ordered_json names = ordered_json::array(), summaries = ordered_json::array(), rules = ordered_json::array();
-        ordered_json own = schema["properties"];
+        const ordered_json beside = schema["properties"];
+        ordered_json names = ordered_json::array(), summaries = ordered_json::array();
+        schema["allOf"] = ordered_json::array();
         for (const Descriptor* plugin : plugins_) {
             if (plugin->role != *section.role) continue;
             names.push_back(plugin->name);
             summaries.push_back(plugin->about.summary);
-            const ordered_json definition = {{"$ref", define(section, *plugin, own)}};
-            if (section.swappable) schema["properties"][plugin->name] = definition;
-            if (!section.swappable) rules.push_back(if_type(plugin->name, definition));
-            if (section.swappable && asks_for_its_map(*plugin)) {
-                rules.push_back(if_type(plugin->name, {{"required", {plugin->name}}}));
+            if (section.swappable) {
+                add_within(*plugin, schema);
+            } else {
+                schema["allOf"].push_back(if_type(plugin->name, define(*plugin, map_beside(*plugin, beside))));
             }
         }
-        ordered_json properties{
-            {"type", {{"enum", names}, {"enumDescriptions", summaries}, {"description", "the plugin's name"}}}};
-        properties.update(schema["properties"]);
-        schema["properties"] = properties;
-        add_required("type", schema);
+        put_first("type", {{"enum", names}, {"enumDescriptions", summaries}, {"description", "the plugin's name"}}, schema);
         if (!section.swappable) schema.erase("additionalProperties");    // each plugin's definition has its own
-        if (!rules.empty()) schema["allOf"] = rules;
+        if (schema["allOf"].empty()) schema.erase("allOf");              // draft 7 wants one at least
     }
 
-    static void add_required(const char* first, ordered_json& schema) {
-        schema["required"].insert(schema["required"].begin(), first);
+    /// A required key in front of the others.
+    static void put_first(const char* key, const ordered_json& value, ordered_json& schema) {
+        ordered_json properties{{key, value}};
+        properties.update(schema["properties"]);
+        schema["properties"] = properties;
+        schema["required"].insert(schema["required"].begin(), key);
+    }
+
+    /// Of a swappable section: the plugin's map may always be there, and must be where `type` names the plugin and it asks for
+    /// it.
+    void add_within(const Descriptor& plugin, ordered_json& schema) {
+        schema["properties"][plugin.name] = define(plugin, own_map(plugin));
+        if (asks_for_its_map(plugin)) schema["allOf"].push_back(if_type(plugin.name, {{"required", {plugin.name}}}));
+    }
+
+    static ordered_json own_map(const Descriptor& plugin) {
+        return map_schema(parameters_of(plugin), fmt::format("{}: {}", plugin.name, plugin.about.source));
+    }
+
+    /// The plugin's keys in the section's map, which holds `type` and the section's own keys, too.
+    static ordered_json map_beside(const Descriptor& plugin, const ordered_json& section_keys) {
+        ordered_json map = own_map(plugin);
+        map["properties"]["type"] = true;
+        for (const auto& [key, schema] : section_keys.items()) map["properties"][key] = true;
+        return map;
+    }
+
+    /// A reference to what is then defined.
+    ordered_json define(const Descriptor& plugin, ordered_json map) {
+        map["description"] = fmt::format("{}\n\n{}", plugin.about.summary, plugin.about.source);
+        definitions_[plugin.name] = std::move(map);
+        return {{"$ref", fmt::format("#/definitions/{}", plugin.name)}};
     }
 
     static bool asks_for_its_map(const Descriptor& plugin) {
@@ -106,19 +126,6 @@ private:
 
     static ordered_json if_type(const char* name, const ordered_json& then) {
         return {{"if", {{"properties", {{"type", {{"const", name}}}}}, {"required", {"type"}}}}, {"then", then}};
-    }
-
-    /// Where the definition of the plugin's map stands. `beside` are the section's own keys, which share the map unless it is
-    /// swappable.
-    std::string define(const Section& section, const Descriptor& plugin, const ordered_json& beside) {
-        ordered_json map = map_schema(parameters_of(plugin), fmt::format("{}: {}", plugin.name, plugin.about.source));
-        if (!section.swappable) {
-            map["properties"]["type"] = true;
-            for (const auto& [key, schema] : beside.items()) map["properties"][key] = true;
-        }
-        map["description"] = fmt::format("{}\n\n{}", plugin.about.summary, plugin.about.source);
-        definitions_[plugin.name] = map;
-        return fmt::format("#/definitions/{}", plugin.name);
     }
 
     static ordered_json of_columns() {
