@@ -123,6 +123,9 @@ TEST(Contract, NoticesAPluginThatDoesNotSayWhatItIs) {
     Descriptor plugin = describe<FlawedDevice>();
     plugin.about.source = "";
     EXPECT_EQ(broken_promises(plugin, "none"), std::vector<std::string>{"SaysWhatItIs"});
+    plugin = describe<FlawedDevice>();
+    plugin.stamp.alignment *= 2;
+    EXPECT_EQ(broken_promises(plugin, "none"), std::vector<std::string>{"SaysWhatItIs"});
     static constexpr Parameter unitless[] = {number("mass", "", positive, "of the handle")};
     plugin = describe<FlawedDevice>();
     plugin.parameters = unitless;

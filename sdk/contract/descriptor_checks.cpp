@@ -34,6 +34,8 @@ void says_what_it_is(const Descriptor& plugin, const Case&) {
     EXPECT_TRUE(says_something(plugin.about.validity));
     EXPECT_EQ(plugin.stamp.size, sizeof(Descriptor));
     EXPECT_EQ(plugin.stamp.sdk, sdk_version);
+    EXPECT_EQ(plugin.stamp.alignment, build_stamp().alignment)
+        << "[bytes] of Eigen: a flag such as -mavx, which the contract and the program were not built with";
     std::set<std::string_view> names;
     for (std::uint32_t i = 0; i < plugin.parameter_count; ++i) {
         check_parameter(plugin.parameters[i]);

@@ -158,7 +158,9 @@ private:
             if (i < known && placed_[i].material == points[i].material && placed_[i].span == points[i].span) continue;
             placed_[i] = points[i];
             for (std::size_t j = 0; j < std::max(i + 1, known); ++j) {
-                const Matrix3 mutual = (i == j ? 1.0 + independence : 1.0) * mean_kernel(placed_[i], placed_[j]);
+                const double own = i == j ? 1.0 + independence : 1.0;
+                // Always in this order: a sum taken the other way round would differ in the last bit.
+                const Matrix3 mutual = own * mean_kernel(placed_[std::max(i, j)], placed_[std::min(i, j)]);
                 unit_.block<3, 3>(3 * i, 3 * j) = mutual;
                 unit_.block<3, 3>(3 * j, 3 * i) = mutual;
             }
