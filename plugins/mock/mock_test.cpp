@@ -242,12 +242,12 @@ struct Wall {
 
 constexpr double wall_mass = 0.075;    // [kg]
 
-/// Bisects for the largest stiffness [N/m] at which `stable`; relative to 1e-5.
+/// Bisects for the largest stiffness [N/m] at which `stable`, between half and twice a guess, to 1e-4 of it.
 template <class Stable>
-double largest(Stable stable) {
-    double low = 1.0, high = 1e6;
-    while (high > low * (1.0 + 1e-5)) {
-        const double middle = std::sqrt(low * high);
+double largest(double guess, Stable stable) {
+    double low = 0.5 * guess, high = 2.0 * guess;
+    while (high - low > 1e-4 * guess) {
+        const double middle = 0.5 * (low + high);
         (stable(middle) ? low : high) = middle;
     }
     return low;
@@ -301,12 +301,14 @@ protected:
 
 TEST_P(VirtualWall, IsStableUpToTheStiffnessThatTheoryAllows) {
     const Wall& wall = GetParam();
-    // At a thousandth beyond the limit an oscillation grows by 3 % in the time that is watched, and its peaks are seen to 0.03 %.
-    constexpr double watched = 1e-3;
+    // At that much beyond the limit an oscillation grows by 4 % or more in the time that is watched, and its peaks are seen to
+    // 0.03 %.
+    constexpr double watched = 3e-3;
+    constexpr int ticks = 40000;
     // The reference tells two or three digits and not how it told growth from decay; its figures lie on both sides of the poles'.
     constexpr double retold = 0.035;
-    const double simulated = largest([&](double stiffness) { return calms_down(device(wall), stiffness, 100000); });
-    const double poles = largest([&](double stiffness) { return poles_within_unit_circle(wall, stiffness); });
+    const double simulated = largest(passive(wall), [&](double stiffness) { return calms_down(device(wall), stiffness, ticks); });
+    const double poles = largest(passive(wall), [&](double stiffness) { return poles_within_unit_circle(wall, stiffness); });
     std::printf("  b = %g N·s/m, %g Hz, %d late: stable up to %.1f N/m (poles %.1f, reference %g, passive with any hand %.1f)\n",
                 wall.damping, wall.rate, wall.delay, simulated, poles, wall.reference, passive(wall));
     EXPECT_NEAR(simulated, poles, watched * poles);
@@ -316,9 +318,9 @@ TEST_P(VirtualWall, IsStableUpToTheStiffnessThatTheoryAllows) {
 
 TEST_P(VirtualWall, ThatIsPassiveIsUnsettledByNoHand) {
     const Wall& wall = GetParam();
-    for (const double stiffness : {0.0, 100.0, 1000.0}) {
-        for (const double damping : {0.0, 2.0, 10.0}) {
-            for (const double mass : {0.0, 0.1, 0.5}) {
+    for (const double stiffness : {0.0, 1000.0}) {
+        for (const double damping : {0.0, 10.0}) {
+            for (const double mass : {0.0, 0.5}) {
                 Case with = device(wall);
                 with.parameters.set("hand_stiffness", stiffness);
                 with.parameters.set("hand_damping", damping);
