@@ -23,7 +23,7 @@ constexpr double passive = -1e-6;     // [J] the reference's bound for the obser
 // [N] A hundredth of what is felt here, where a hand tells a tenth. A shaft that sticks while the hand still swings after a
 // rupture leaves 6 mN; the position's quanta against the tissue 0.2 mN.
 constexpr double calm = 0.01;
-// [N/s] A shaft that sticks is as stiff as 1 kN/m, and a hand turns back on it at 40 mm/s: 38 N/s were measured. Pushing at 10
+// [N/s] A shaft that sticks is as stiff as 1 kN/m, and a hand turns back on it at 40 mm/s: 39 N/s were measured. Pushing at 10
 // mm/s it is 0.6, where a quantum of the position is passed. The force chain would let 800 go through.
 constexpr double gentle = 60.0;
 
