@@ -608,7 +608,7 @@ TEST(HalfSpacePatch, IsRefusedWhereItIsNoRectangleOnTheTop) {
     EXPECT_EQ(refusal({.centre = {0.0, 0.0, 0.0}, .size = {0.02, 0.0, 0.0}}, "size"),
               "found 0.02 m by 0 m, wanted a rectangle with sides of at least 1e-05 m");
     EXPECT_EQ(refusal({.centre = {0.191, 0.0, 0.0}, .size = {0.02, 0.02, 0.0}}, "centre"),
-              "the patch reaches beyond the block's top of 0.4 m by 0.4 m around the origin, wanted it within");
+              "found a patch that reaches beyond the block's top of 0.4 m by 0.4 m around the origin, wanted it within");
     EXPECT_EQ(refusal({.centre = {0.19, 0.0, 0.0}, .size = {0.02, 0.02, 0.0}}, ""), "accepted");
     EXPECT_EQ(refusal({.centre = {0.0, 0.0, 0.0}, .size = {0.4, 0.4, 0.0}}, ""), "accepted");
 }

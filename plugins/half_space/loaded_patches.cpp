@@ -40,7 +40,7 @@ Rectangle LoadedPatches::rectangle_of(const Patch& patch) const {
     }
     const Eigen::Array2d reach = centre.head<2>().array().abs() + 0.5 * size.head<2>().array();
     if ((reach > 0.5 * extent.head<2>().array() + edge_tolerance).any()) {
-        throw Error("centre", sentence("the patch reaches beyond the block's top of ", extent.x(), " m by ", extent.y(),
+        throw Error("centre", sentence("found a patch that reaches beyond the block's top of ", extent.x(), " m by ", extent.y(),
                                        " m around the origin, wanted it within"));
     }
     return {.x = centre.x(), .y = centre.y(), .half_x = 0.5 * size.x(), .half_y = 0.5 * size.y()};
