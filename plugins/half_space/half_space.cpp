@@ -156,15 +156,7 @@ StepReport HalfSpace::try_step(ContactPoints points, Forces forces) {
     displacement.noalias() = now.compliance.selfadjointView<Eigen::Lower>() * forces;
     trial_.energy = 0.0;
     trial_.spare = infinity;
-    if (!patches_.none()) {
-        const auto contacts = patches_.of_contacts(static_cast<Eigen::Index>(points.size()));
-        displacement += shift_.head(forces.size());
-        trial_.patches_moved.noalias() = patches_.own() * trial_.load;
-        trial_.patches_moved.noalias() += contacts.transpose() * forces;
-        trial_.energy = 0.5 * trial_.load.dot(trial_.patches_moved);
-        for (int i = 0; i < patches_.count(); ++i)
-            trial_.spare = std::min(trial_.spare, room_at(0.0) + trial_.patches_moved[3 * i + 2]);
-    }
+    if (!patches_.none()) move_patches(forces);
     trial_.energy += 0.5 * forces.dot(displacement);
     trial_.contacts.clear();
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -173,6 +165,16 @@ StepReport HalfSpace::try_step(ContactPoints points, Forces forces) {
         if (points[i].tip) trial_.spare = std::min(trial_.spare, room_at(-points[i].material.z()) + displacement[at + 2]);
     }
     return {};
+}
+
+// The patches' share of a step, and theirs in where the contacts go.
+void HalfSpace::move_patches(Forces forces) {
+    displacement_.head(forces.size()) += shift_.head(forces.size());
+    trial_.patches_moved.noalias() = patches_.own() * trial_.load;
+    trial_.patches_moved.noalias() += patches_.of_contacts(forces.size() / 3).transpose() * forces;
+    trial_.energy = 0.5 * trial_.load.dot(trial_.patches_moved);
+    for (int i = 0; i < patches_.count(); ++i)
+        trial_.spare = std::min(trial_.spare, room_at(0.0) + trial_.patches_moved[3 * i + 2]);
 }
 
 Vector3 HalfSpace::displacement(const Vector3& material) const {

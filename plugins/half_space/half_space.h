@@ -59,6 +59,7 @@ private:
         int count = 0;
         double weight = 0.0;    // 1/(count √E)
     };
+    /// A contact and what presses there.
     struct Pressed {
         ContactPoint point;
         Vector3 force;    // [N] on the tissue
@@ -75,6 +76,7 @@ private:
     Matrix3 block(const Footprint& i, const Footprint& j) const;
     void fill(int row, int count);
     void shift_contacts(ContactPoints points);
+    void move_patches(Forces forces);
     int layer_at(double depth) const;
     double modulus_at(double depth) const;
     double room_at(double depth) const;
