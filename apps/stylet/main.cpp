@@ -8,6 +8,7 @@
 
 #include <cstdio>
 #include <new>
+#include <system_error>
 
 namespace stylet::app {
 namespace {
@@ -46,6 +47,8 @@ int execute(const Command& command) {
         return complain(failure.what(), failure.code());
     } catch (const Error& error) {
         return complain(error.what(), ExitCode::wrong_input);
+    } catch (const std::system_error& error) {    // a full disk under stdout, no thread left
+        return complain(fmt::format("stylet: the system refuses: {}", error.what()), ExitCode::missing);
     } catch (const std::bad_alloc&) {
         return complain("stylet: this machine has not enough memory for that", ExitCode::missing);
     } catch (const std::exception& bug) {
@@ -68,7 +71,10 @@ int main_of(int argc, char** argv) {
         return line.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::wrong_command);
     }
     for (const Command& command : commands) {
-        if (command.options->parsed()) return execute(command);
+        if (!command.options->parsed()) continue;
+        const int code = execute(command);
+        if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+        return complain("stylet: what was printed could not be written (is the disk full?)", ExitCode::missing);
     }
     return complain("stylet: found no command, wanted run, check, plugins, scenes, plot or schema; stylet --help tells more",
                     ExitCode::wrong_command);

@@ -162,12 +162,19 @@ ExitCode run_all(const RunArguments& arguments) {
 
     const Interrupt interrupt;
     bool fault = false;
-    for (std::size_t i = 0; i < scenes.size() && !Interrupt::asked(); ++i) {
-        const FinishedRun run = run_one(scenes[i], names[i], recordings[i], pictures, arguments);
-        report(run, arguments, i == 0);
+    std::size_t played = 0;
+    for (; played < scenes.size() && !Interrupt::asked(); ++played) {
+        const FinishedRun run = run_one(scenes[played], names[played], recordings[played], pictures, arguments);
+        report(run, arguments, played == 0);
         fault |= ended_in_fault(run.report);
     }
-    if (Interrupt::asked()) return ExitCode::interrupted;
+    if (Interrupt::asked()) {
+        for (std::size_t i = played; i < scenes.size(); ++i) {
+            fmt::print(stderr, "{}: not run: stopped by Ctrl-C\n", names[i]);
+            fs::remove(recordings[i]);    // which was only tried
+        }
+        return ExitCode::interrupted;
+    }
     return fault ? ExitCode::fault : ExitCode::ok;
 }
 

@@ -110,10 +110,11 @@ std::string hand_text(const std::optional<core::HandReport>& hand) {
     if (!hand) return "";
     const core::ForceChainCounts& chain = hand->force_chain;
     Table table({Align::left, Align::left});
-    table.add({"force chain", fmt::format("soft start {}, magnitude {}, slew {}, stale {}, not finite {} ticks", chain.soft_start,
-                                          chain.magnitude, chain.slew, chain.stale, chain.not_finite)});
-    table.add({"passivity",
-               fmt::format("the device was never given back more than {}", quantity(-hand->least_port_energy * 1e6, 3, "µJ"))});
+    table.add({"force chain", fmt::format("soft start {}, magnitude {}, slew {}, stale {}, fault {} ticks", chain.soft_start,
+                                          chain.magnitude, chain.slew, chain.stale, chain.fault)});
+    table.add({"passivity", fmt::format("the device was given back at most {}, {} of it not by holding each force for a tick",
+                                        quantity(-hand->least_port_energy * 1e6, 3, "µJ"),
+                                        quantity(-hand->least_port_energy_without_hold * 1e6, 3, "µJ"))});
     return table.text(2) + "\n";
 }
 
@@ -157,7 +158,8 @@ std::string cost_text(const FinishedRun& run) {
     Table table({Align::left, Align::left});
     table.add({"tick", fmt::format("median {}, p99 {}, worst {}", microseconds(report.tick_us.median),
                                    microseconds(report.tick_us.p99), microseconds(report.tick_us.max))});
-    table.add({"simulated", fmt::format("{} in {} ticks", seconds(report.duration), report.ticks)});
+    table.add({"simulated", fmt::format("{} in {} ticks{}", seconds(report.duration), report.ticks,
+                                        report.stopped ? ", then stopped before the scene was over" : "")});
     table.add({"recording", run.recording});
     if (run.series) table.add({"series", series_text(*run.series)});
     return table.text(2);

@@ -80,8 +80,9 @@ std::string summary_json(const FinishedRun& run) {
                 {"magnitude_ticks", chain.magnitude},
                 {"slew_ticks", chain.slew},
                 {"stale_ticks", chain.stale},
-                {"not_finite_ticks", chain.not_finite},
-                {"least_port_energy", number(report.hand->least_port_energy)}};
+                {"fault_ticks", chain.fault},
+                {"least_port_energy", number(report.hand->least_port_energy)},
+                {"least_port_energy_without_hold", number(report.hand->least_port_energy_without_hold)}};
     }
     ordered_json real_time = nullptr;
     if (report.real_time) {
@@ -101,10 +102,17 @@ std::string summary_json(const FinishedRun& run) {
     }
     const auto of_needle = [&report](double value) { return report.has_needle ? number(value) : ordered_json(nullptr); };
     const core::TickReport& tick = report.tick_us;
+    ordered_json series = nullptr;
+    if (run.series) {
+        ordered_json files = ordered_json::array();
+        for (const auto& file : run.series->files) files.push_back(file.string());
+        series = {{"files", files}, {"moments", run.series->moments}, {"period", number(run.series->period)}};
+    }
     const ordered_json json{{"title", report.title},
                             {"scene", run.scene},
                             {"hash", report.hash},
                             {"recording", run.recording},
+                            {"series", series},
                             {"events", events},
                             {"unlisted_events", report.unlisted_events},
                             {"peak_hand_force", of_needle(report.peak_hand_force)},
@@ -115,6 +123,7 @@ std::string summary_json(const FinishedRun& run) {
                             {"hand", hand},
                             {"real_time", real_time},
                             {"tick_us", {{"median", number(tick.median)}, {"p99", number(tick.p99)}, {"max", number(tick.max)}}},
+                            {"stopped", report.stopped},
                             {"ticks", report.ticks},
                             {"duration", number(report.duration)},
                             {"libraries", report.libraries}};

@@ -22,16 +22,17 @@ bool slew_from(const Vector3& last, double most, Vector3& v) {
 
 }    // namespace
 
-ForceChain::ForceChain(const DeviceLimits& device, std::optional<double> force_limit) : limits_(device) {
+ForceChain::ForceChain(const DeviceLimits& device, std::optional<double> force_limit)
+    : limits_(device), moment_rate_(device.force_rate * (device.moment / device.force)) {
     limits_.force = std::min(limits_.force, force_limit.value_or(limits_.force));
 }
 
 Wrench ForceChain::limit(const Wrench& asked, bool stale, double dt) {
     if (!asked.finite()) {    // a simulation that has lost itself: nothing of it may reach the hand
-        ++counts_.not_finite;
         faulted_ = true;
         last_ = {};
     }
+    counts_.fault += faulted_;
     if (!faulted_ && !stale && !latched_) {
         Wrench answer = asked;
         shorten(answer);
@@ -42,15 +43,19 @@ Wrench ForceChain::limit(const Wrench& asked, bool stale, double dt) {
     return {.force = level_ * last_.force, .moment = level_ * last_.moment};
 }
 
+Wrench ForceChain::let_go(double dt) {
+    level_ = std::max(0.0, level_ - dt / limits_.ramp_down);
+    return {.force = level_ * last_.force, .moment = level_ * last_.moment};
+}
+
 void ForceChain::shorten(Wrench& wrench) {
     const bool force = shorten_to(limits_.force, wrench.force), moment = shorten_to(limits_.moment, wrench.moment);
     counts_.magnitude += force || moment;
 }
 
 void ForceChain::slew(Wrench& wrench, double dt) {
-    const double most = limits_.force_rate * dt;    // [N]
-    const bool force = slew_from(last_.force, most, wrench.force);
-    const bool moment = slew_from(last_.moment, limits_.force > 0.0 ? most * limits_.moment / limits_.force : 0.0, wrench.moment);
+    const bool force = slew_from(last_.force, limits_.force_rate * dt, wrench.force);
+    const bool moment = slew_from(last_.moment, moment_rate_ * dt, wrench.moment);
     counts_.slew += force || moment;
 }
 

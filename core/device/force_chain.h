@@ -7,9 +7,9 @@
 
 namespace stylet::core {
 
-/// In how many ticks each step of the chain changed what was asked for.
+/// In how many ticks each step of the chain acted.
 struct ForceChainCounts {
-    std::size_t not_finite = 0;
+    std::size_t fault = 0;    // after an answer that was not finite, or another fault
     std::size_t magnitude = 0;
     std::size_t slew = 0;
     std::size_t stale = 0;
@@ -21,8 +21,9 @@ struct ForceChainCounts {
 ///     not finite → zero, and a fault for good;   magnitude (the lower of device and scene);   slew;
 ///     stale → ramp to zero, latched until re-armed;   soft start
 ///
-/// An answer is stale where the hand was lost or no equilibrium was found. The last good force then fades out, and once it is
-/// gone it comes back only after `rearm_after` without a stale answer, faded in as at the start. No scene can switch a step off.
+/// An answer is stale where the hand was lost, no equilibrium was found, or the answer before was held for too long. The last
+/// good force then fades out, and once it is gone it comes back only after `rearm_after` without a stale answer, faded in as at
+/// the start. No scene can switch a step off.
 class ForceChain {
 public:
     static constexpr double rearm_after = 0.1;    // [s] what was lost for long is trusted again only after a while
@@ -33,10 +34,14 @@ public:
     /// What may be written to the device for a step of `dt` [s].
     [[nodiscard]] Wrench limit(const Wrench& asked, bool stale, double dt);
 
+    /// Instead of limit(), once the simulation is over: the last good answer fades out.
+    [[nodiscard]] Wrench let_go(double dt);
+
     /// From now on the force fades to zero and stays there.
     void trip() { faulted_ = true; }
 
     [[nodiscard]] bool faulted() const { return faulted_; }
+    [[nodiscard]] bool holds() const { return level_ > 0.0 && !(last_.force.isZero(0.0) && last_.moment.isZero(0.0)); }
     [[nodiscard]] bool latched() const { return latched_; }    // the force is gone, and waits to be re-armed
     [[nodiscard]] const ForceChainCounts& counts() const { return counts_; }
 
@@ -46,6 +51,7 @@ private:
     void fade(bool stale, double dt);
 
     DeviceLimits limits_;
+    double moment_rate_;      // [N·m/s] as the device slews its own full force
     Wrench last_;             // the last good answer, before it is faded
     double level_ = 0.0;      // from 0 to 1: how much of it the hand is given
     double trusted_ = 0.0;    // [s] since the last stale answer

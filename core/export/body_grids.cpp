@@ -11,7 +11,8 @@ constexpr int needle_points = 101;
 std::vector<FieldValue> recorded_of(Column::Of body, const Sample& sample) {
     std::vector<FieldValue> fields{{"TimeValue", sample.time}};
     for (const Column& column : all_columns()) {
-        if (column.of == body) fields.push_back({column.name, sample.*column.value});
+        const bool of_contact = column.of == Column::Of::both && body == Column::Of::needle;
+        if (column.of == body || of_contact) fields.push_back({column.name, sample.*column.value});
     }
     return fields;
 }

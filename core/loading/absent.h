@@ -73,7 +73,7 @@ public:
 
     [[nodiscard]] DeviceLimits limits() const override {    // nobody is there to be hurt
         constexpr double none = std::numeric_limits<double>::max();
-        return {.force = none, .moment = none, .force_rate = none, .soft_start = 0.0, .stale_after = none, .ramp_down = none};
+        return {.force = none, .moment = none, .force_rate = none, .soft_start = 0.0, .stale_after = none, .ramp_down = 0.0};
     }
     [[nodiscard]] Reading read(double) override { return {.pose = base_}; }
     void write(const Wrench&) override {}

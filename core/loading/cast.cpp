@@ -5,6 +5,9 @@
 #include "core/scene/complaints.h"
 #include "core/scene/value_tree.h"
 
+#include <cmath>
+#include <utility>
+
 namespace stylet::core {
 
 /// Makes the objects of one cast, and gathers what goes wrong with any of them.
@@ -42,18 +45,13 @@ struct Cast::Maker {
         complaints.add(choice.place, beside_type, error.what());
     }
 
-    template <class Model>
-    std::unique_ptr<Model> make(const Choice& choice, const BucklingModel* buckling) {
+    /// Runs what calls a plugin, and turns whatever that throws into a complaint. Nothing of a plugin's own may get out of here:
+    /// its library is closed before it would be caught.
+    template <class Work>
+    bool guard(const Choice& choice, Work&& work) {
         try {
-            const Descriptor& plugin = descriptor(choice.type, Model::role);
-            const Setup setup{.parameters = choice.parameters,
-                              .tissue = scene.tissue_setup ? &*scene.tissue_setup : nullptr,
-                              .needle = scene.needle_setup ? &*scene.needle_setup : nullptr,
-                              .buckling = buckling,
-                              .dt = scene.run.dt(),
-                              .workers = workers};
-            if (Object* object = plugin.create(setup)) return std::unique_ptr<Model>(static_cast<Model*>(object));
-            complain(choice, Error("the plugin '" + choice.type + "' made nothing"));
+            work();
+            return true;
         } catch (const Error& error) {
             complain(choice, error);
         } catch (const std::exception& error) {
@@ -61,7 +59,42 @@ struct Cast::Maker {
         } catch (...) {
             complain(choice, Error("the plugin '" + choice.type + "' failed with something that is no exception"));
         }
-        return nullptr;
+        return false;
+    }
+
+    template <class Model>
+    std::unique_ptr<Model> make(const Choice& choice, const BucklingModel* buckling) {
+        std::unique_ptr<Model> model;
+        guard(choice, [&] {
+            const Descriptor& plugin = descriptor(choice.type, Model::role);
+            const Setup setup{.parameters = choice.parameters,
+                              .tissue = scene.tissue_setup ? &*scene.tissue_setup : nullptr,
+                              .needle = scene.needle_setup ? &*scene.needle_setup : nullptr,
+                              .buckling = buckling,
+                              .dt = scene.run.dt(),
+                              .workers = workers};
+            model.reset(static_cast<Model*>(plugin.create(setup)));
+            if (!model) throw Error("the plugin '" + choice.type + "' made nothing");
+        });
+        return model;
+    }
+
+    /// What a device says of itself is what keeps a hand safe.
+    void check_limits(const Choice& choice, const HapticDevice& device) {
+        guard(choice, [&] {
+            const DeviceLimits limits = device.limits();
+            for (const auto& [name, limit] : {std::pair{"force", limits.force},
+                                              {"moment", limits.moment},
+                                              {"force_rate", limits.force_rate},
+                                              {"soft_start", limits.soft_start},
+                                              {"stale_after", limits.stale_after},
+                                              {"ramp_down", limits.ramp_down}}) {
+                if (std::isfinite(limit) && limit > 0.0) continue;
+                throw Error("the plugin '" + choice.type + "' states a limit '" + name + "' of " + std::to_string(limit) +
+                            ", wanted one that is positive and finite");
+            }
+            if (!(device.duration() >= 0.0)) throw Error("the plugin '" + choice.type + "' states a duration below zero");
+        });
     }
 };
 
@@ -79,24 +112,26 @@ Cast::Cast(const Scene& scene, const PluginFolders& folders, Workers& workers) {
     device_ = scene.device
                   ? maker.make<HapticDevice>(*scene.device, nullptr)
                   : std::make_unique<StillHand>(scene.needle_setup ? scene.needle_setup->length : StillHand::out_of_the_way);
+    if (scene.device && device_) maker.check_limits(*scene.device, *device_);
     if (tissue_) load_patches(maker);
     maker.complaints.throw_if_any();
 }
 
-// A tissue is told of every patch at once, and refuses one at a time: each is tried alone first, so that its effect's line is
-// named.
+// A tissue refuses one patch at a time: each is tried alone first, so that its effect's line is named.
 void Cast::load_patches(Maker& maker) {
+    std::vector<Patch> patches;
+    const Choice* last = nullptr;
     for (std::size_t i = 0; i < effects_.size(); ++i) {
-        const Patch* patch = effects_[i] ? effects_[i]->patch() : nullptr;
-        if (patch == nullptr) continue;
-        try {
+        const Choice& choice = maker.scene.effects[i];
+        maker.guard(choice, [&] {
+            const Patch* patch = effects_[i] ? effects_[i]->patch() : nullptr;
+            if (patch == nullptr) return;
             tissue_->bear({patch, 1});
-            patches_.push_back(*patch);
-        } catch (const Error& error) {
-            maker.complain(maker.scene.effects[i], error);
-        }
+            patches.push_back(*patch);
+            last = &choice;
+        });
     }
-    if (!patches_.empty()) tissue_->bear(patches_);
+    if (last != nullptr) maker.guard(*last, [&] { tissue_->bear(patches); });
 }
 
 std::vector<std::filesystem::path> Cast::libraries() const {

@@ -45,7 +45,6 @@ private:
     std::unique_ptr<TissueModel> tissue_;
     std::unique_ptr<NeedleModel> needle_;
     std::vector<std::unique_ptr<ForceModel>> effects_;
-    std::vector<Patch> patches_;    // that the effects load
     std::unique_ptr<HapticDevice> device_;
 };
 

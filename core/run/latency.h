@@ -6,11 +6,12 @@
 
 namespace stylet::core {
 
-/// How often a time fell into each of a few bins, in the manner of an oscilloscope's 1-2-5. Neither allocates nor forgets.
+/// How often a time fell into each of a few bins, coarser the longer it is. Neither allocates nor forgets.
 class Latency {
 public:
-    static constexpr std::array<double, 15> upper_bounds{
-        1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1e3, 2e3, 5e3, 10e3, 50e3, 100e3};    // [µs]; the last bin has none
+    static constexpr std::array<double, 16> upper_bounds{
+        1.0,   2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0,
+        500.0, 1e3, 2e3, 5e3,  10e3, 20e3, 50e3,  100e3};    // [µs]; the last bin has none
     static constexpr std::size_t bins = upper_bounds.size() + 1;
 
     /// `time` in µs.

@@ -1,8 +1,11 @@
 #include "core/run/patch_record.h"
 
+#include <algorithm>
+
 namespace stylet::core {
 
-PatchRecord::PatchRecord(const Scene& scene, const Cast& cast, std::size_t most_ticks) {
+PatchRecord::PatchRecord(const Scene& scene, const Cast& cast, std::size_t ticks) {
+    const std::size_t most_ticks = std::min(ticks, most_noted);
     for (std::size_t i = 0; i < cast.effects().size(); ++i) {
         const Patch* patch = cast.effects()[i]->patch();
         if (patch == nullptr) continue;

@@ -10,8 +10,10 @@ namespace stylet::core {
 /// from the tick's thread. Where nothing is loaded it notes nothing.
 class PatchRecord {
 public:
-    /// Ticks beyond `most_ticks` are not noted.
-    PatchRecord(const Scene& scene, const Cast& cast, std::size_t most_ticks);
+    static constexpr std::size_t most_noted = 1'000'000;    // ticks: 48 MB for each patch
+
+    /// Of a run of so many ticks; those beyond `most_noted` are not noted.
+    PatchRecord(const Scene& scene, const Cast& cast, std::size_t ticks);
 
     /// After a tick. Neither allocates nor locks.
     void take(const Simulation& simulation);

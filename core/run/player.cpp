@@ -13,9 +13,9 @@ Player::Player(const Scene& scene, const Cast& cast, std::size_t most_ticks,
     }
 }
 
-void Player::tick() {
+void Player::tick(double held) {
     const auto start = std::chrono::steady_clock::now();
-    simulation_.tick();
+    simulation_.tick(held);
     duration_ = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
     reported_ = false;
 }

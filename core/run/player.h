@@ -15,8 +15,12 @@ public:
     /// `recording` is the CSV to write, if any. Throws Error where it cannot be written.
     Player(const Scene& scene, const Cast& cast, std::size_t most_ticks, const std::optional<std::filesystem::path>& recording);
 
-    /// One tick, up to the device. Neither allocates nor locks nor calls the system.
-    void tick();
+    /// One tick, up to the device, which has held the last force for `held` [s]. Neither allocates nor locks nor calls the
+    /// system.
+    void tick(double held);
+
+    /// Instead of a tick, once the scene is over: takes the force from the hand. True while there is some left.
+    [[nodiscard]] bool let_go() { return simulation_.let_go(); }
 
     /// What is left to do after it: the report and the recording. False where the recorder's ring is full; the row may then be
     /// tried again, or given up. Neither allocates nor locks nor calls the system.

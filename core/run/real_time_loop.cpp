@@ -6,6 +6,7 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
@@ -13,6 +14,7 @@
 #include <cstring>
 #include <ctime>
 #include <thread>
+#include <utility>
 
 namespace stylet::core {
 
@@ -57,26 +59,28 @@ void touch_stack() {
 
 }    // namespace
 
+// Once the thread and all that it needs are there: a lock on the future would refuse the stack of the next thread.
 void RealTimeLoop::prepare() {
     report_.scheduling = ask_for_fifo();
     prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);    // a thread that is not SCHED_FIFO would wake 50 µs late
     touch_stack();
+    report_.memory = mlockall(MCL_CURRENT) == 0 ? "locked" : "lock " + refused(errno);
 }
 
-void RealTimeLoop::loop(std::size_t ticks, const std::function<void()>& tick, const std::function<bool()>& note,
-                        const std::atomic<bool>& stop) {
+void RealTimeLoop::loop(std::size_t ticks, const Work& work, const std::atomic<bool>& stop) {
     prepare();
     const auto period = static_cast<std::int64_t>(std::llround(period_ * static_cast<double>(second)));
     const std::int64_t start = now();
-    std::int64_t deadline = start + period;
-    for (std::size_t i = 0; i < ticks && !stop; ++i) {
+    std::int64_t deadline = start + period, answered = start, before = start;
+    for (std::size_t i = 0; i < ticks && !stop && !ending_; ++i) {
         sleep_until(deadline);
         const std::int64_t woke = now();
-        tick();
-        const std::int64_t answered = now();
+        const std::int64_t held = std::max(woke - answered, answered - before);
+        work.tick(1e-6 * microseconds(held));
+        before = std::exchange(answered, now());
         report_.woke.add(microseconds(woke - deadline));
         report_.answered.add(microseconds(answered - deadline));
-        report_.lost_rows += !note();
+        report_.lost_rows += !work.note();
         done_.store(i + 1, std::memory_order_relaxed);
         deadline += period;
         if (const std::int64_t late = now() - deadline; late > 0) {
@@ -87,20 +91,30 @@ void RealTimeLoop::loop(std::size_t ticks, const std::function<void()>& tick, co
         }
     }
     report_.wall_time = static_cast<double>(now() - start) / static_cast<double>(second);
+    while (work.let_go()) sleep_until(deadline += period);
     ended_ = true;
 }
 
-RealTimeReport RealTimeLoop::run(std::size_t ticks, const std::function<void()>& tick, const std::function<bool()>& note,
-                                 const std::function<void(std::size_t done)>& watch, const std::atomic<bool>& stop) {
-    const bool locked = mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
-    report_.memory = locked ? "locked" : "lock " + refused(errno);
-    std::jthread thread([&] { loop(ticks, tick, note, stop); });
-    while (!ended_) {
-        std::this_thread::sleep_for(watch_period);
-        if (watch) watch(done_.load(std::memory_order_relaxed));
+RealTimeReport RealTimeLoop::run(std::size_t ticks, const Work& work, const std::function<void(std::size_t done)>& watch,
+                                 const std::atomic<bool>& stop) {
+    report_ = {};
+    done_ = 0;
+    ending_ = ended_ = false;
+    {
+        std::jthread thread([&] { loop(ticks, work, stop); });
+        try {
+            while (!ended_) {
+                std::this_thread::sleep_for(watch_period);
+                if (watch) watch(done_.load(std::memory_order_relaxed));
+            }
+        } catch (...) {
+            ending_ = true;
+            thread.join();
+            munlockall();
+            throw;
+        }
     }
-    thread.join();
-    if (locked) munlockall();
+    munlockall();
     return report_;
 }
 

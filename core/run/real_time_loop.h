@@ -34,19 +34,26 @@ public:
     /// `period` [s].
     explicit RealTimeLoop(double period) : period_(period) {}
 
-    /// Runs `tick` up to the device and then `note`, `ticks` times or until `stop` becomes true; `watch` is called from the
-    /// calling thread meanwhile, some twenty times a second, with the number of ticks done. Returns when the thread has ended.
-    RealTimeReport run(std::size_t ticks, const std::function<void()>& tick, const std::function<bool()>& note,
-                       const std::function<void(std::size_t done)>& watch, const std::atomic<bool>& stop);
+    /// What the thread does; nothing of it may throw.
+    struct Work {
+        std::function<void(double held)> tick;    // up to the device; for how long it held the last force, or the one before [s]
+        std::function<bool()> note;               // what is left to do then; false where a row of the recording is lost
+        std::function<bool()> let_go;             // after the last: a tick's worth of fading out; true while there is more
+    };
+
+    /// Works `ticks` times or until `stop` becomes true, then lets go. `watch` is called from the calling thread meanwhile, some
+    /// twenty times a second, with the number of ticks done; it may be empty, and may throw: the loop then lets go first.
+    RealTimeReport run(std::size_t ticks, const Work& work, const std::function<void(std::size_t done)>& watch,
+                       const std::atomic<bool>& stop);
 
 private:
-    void loop(std::size_t ticks, const std::function<void()>& tick, const std::function<bool()>& note,
-              const std::atomic<bool>& stop);
+    void loop(std::size_t ticks, const Work& work, const std::atomic<bool>& stop);
     void prepare();
 
     double period_;    // [s]
     RealTimeReport report_;
     std::atomic<std::size_t> done_{0};
+    std::atomic<bool> ending_{false};    // the watch threw
     std::atomic<bool> ended_{false};
 };
 

@@ -37,8 +37,9 @@ struct LedgerReport {
 
 /// What a hand at the device met.
 struct HandReport {
-    ForceChainCounts force_chain;      // [ticks]
-    double least_port_energy = 0.0;    // [J] at most 0: what the simulation gave back beyond what it got
+    ForceChainCounts force_chain;                   // [ticks]
+    double least_port_energy = 0.0;                 // [J] at most 0: what the simulation gave back beyond what it got
+    double least_port_energy_without_hold = 0.0;    // [J] of that, what was not by holding each force until the next
 };
 
 /// A patch of the tissue's surface that an effect loads.
@@ -72,6 +73,7 @@ struct RunReport {
     bool has_needle = true, has_tissue = true;    // what the scene names
     TickReport tick_us;
     std::optional<RealTimeReport> real_time;    // of a run on the wall clock
+    bool stopped = false;                       // before the scene was over
     std::size_t ticks = 0;
     double duration = 0.0;    // [s]
     std::vector<std::string> libraries;

@@ -51,7 +51,10 @@ RunReport Reporter::finish(const Simulation& simulation) {
     report_.ledger.relative = relative(simulation.ledger());
     report_.ledger.totals = last;
     report_.loads = patches_.report();
-    if (has_hand_) report_.hand = {.force_chain = simulation.force_chain(), .least_port_energy = simulation.least_port_energy()};
+    if (has_hand_)
+        report_.hand = {.force_chain = simulation.force_chain(),
+                        .least_port_energy = simulation.passivity().least(),
+                        .least_port_energy_without_hold = simulation.passivity().least_without_hold()};
     report_.tick_us = {.median = durations_.quantile(0.5), .p99 = durations_.quantile(0.99), .max = durations_.worst()};
     report_.ticks = ticks_;
     report_.duration = last.time;

@@ -38,13 +38,17 @@ RunReport run(const Scene& scene, const PluginFolders& folders, const RunOptions
     Player player(scene, cast, ticks, options.recording);
     if (options.observe) options.observe(player.simulation());
     for (std::size_t i = 0; i < ticks && !stop; ++i) {
-        player.tick();
+        player.tick(scene.run.dt());
         while (!player.note()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         if (options.observe) options.observe(player.simulation());
         if (options.progress && i % progress_every == 0) options.progress(share(i, ticks));
     }
+    while (player.let_go()) {
+    }
     if (options.progress) options.progress(1.0);
-    return player.finish();
+    RunReport report = player.finish();
+    report.stopped = report.ticks < ticks;
+    return report;
 }
 
 RunReport run_in_real_time(const Scene& scene, const PluginFolders& folders, const RunOptions& options) {
@@ -54,13 +58,14 @@ RunReport run_in_real_time(const Scene& scene, const PluginFolders& folders, con
     Player player(scene, cast, ticks, options.recording);
     RealTimeLoop loop(scene.run.dt());
     const RealTimeReport real_time = loop.run(
-        ticks, [&] { player.tick(); }, [&] { return player.note(); },
+        ticks, {[&](double held) { player.tick(held); }, [&] { return player.note(); }, [&] { return player.let_go(); }},
         [&](std::size_t done) {
             if (options.progress) options.progress(share(done, ticks));
         },
         options.stop == nullptr ? never : *options.stop);
     RunReport report = player.finish();
     report.real_time = real_time;
+    report.stopped = report.ticks < ticks;
     return report;
 }
 

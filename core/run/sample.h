@@ -42,13 +42,20 @@ struct Sample {
 /// A column of a recording: its name, its unit, where it lives in a Sample, what it means, and what a scene without needle or
 /// tissue has no use for.
 struct Column {
-    enum class Of { scene, needle, tissue };
+    enum class Of { scene, needle, tissue, both };
     const char* name;
     const char* unit;
     double Sample::*value;
     const char* meaning;
     Of of = Of::scene;
 };
+
+/// Whether a scene with these parts has this column.
+[[nodiscard]] constexpr bool there(const Column& column, bool needle, bool tissue) {
+    const bool wants_needle = column.of == Column::Of::needle || column.of == Column::Of::both;
+    const bool wants_tissue = column.of == Column::Of::tissue || column.of == Column::Of::both;
+    return (needle || !wants_needle) && (tissue || !wants_tissue);
+}
 
 /// Every column there is, in the order of Sample.
 [[nodiscard]] std::span<const Column> all_columns();

@@ -51,10 +51,15 @@ Simulation::Simulation(const Scene& scene, const Cast& cast)
     } catch (...) {
         fault("fault: a plugin threw an exception");
     }
-    ledger_.open(needle_, tissue_);
-    sample_.depth = tissue_.locate(needle_.position(setup_.length)).depth;
-    sample_.free_length = contacts_.free_length();
-    sample_.critical_load = needle_.state().critical_load;
+    try {
+        ledger_.open(needle_, tissue_);
+        sample_.depth = tissue_.locate(needle_.position(setup_.length)).depth;
+        sample_.free_length = contacts_.free_length();
+        sample_.critical_load = needle_.state().critical_load;
+        if (scene.needle && loads_.count() > 0) raise("beyond validity: a loaded surface is touched where it was unloaded");
+    } catch (...) {
+        fault("fault: a plugin threw an exception");
+    }
 }
 
 // A tip that begins in the tissue is brought there the way it would have come, before the books are opened.
@@ -79,16 +84,25 @@ void Simulation::begin(const Pose& first) {
     if (lost_) raise("not converged");
 }
 
-void Simulation::tick() {
+void Simulation::tick(double held) {
     if (ticks_ > 0) events_.clear();    // what the very first contact at rest brought belongs to the first tick
     time_ = static_cast<double>(++ticks_) * dt_;
     sample_.time = time_;
+    Wrench asked;
     try {    // a plugin may not throw here, but if it does the hand must not feel it
         take(device_.read(time_));
-        write_to_device();
+        asked = felt();
     } catch (...) {
         fault("fault: a plugin threw an exception");
     }
+    if (!asked.finite()) fault("fault: the simulation's force is not finite");
+    const bool stale = lost_ || hand_lost_ || held > dt_ + stale_after_;
+    write_to_device(chain_.limit(asked, stale, stale ? std::max(held, dt_) : dt_));
+}
+
+bool Simulation::let_go() {
+    write_to_device(chain_.let_go(dt_));
+    return chain_.holds();
 }
 
 // A hand that was lost stays where it was last seen.
@@ -97,8 +111,9 @@ void Simulation::take(const Reading& hand) {
     if (lost && !hand_lost_) raise("hand lost");
     if (!lost && hand_lost_) raise("hand found");
     hand_lost_ = lost;
-    if (makes_sense(hand.pose)) observer_.moved(hand.pose);
-    follow(hand.pose);
+    const Pose& pose = lost ? base_ : hand.pose;
+    if (makes_sense(pose)) observer_.moved(pose);
+    follow(pose);
 }
 
 void Simulation::follow(const Pose& target) {
@@ -114,7 +129,7 @@ void Simulation::follow(const Pose& target) {
         announce();
     }
     if (!std::isfinite(ledger_.balance().residual())) fault("fault: the energy books are not finite");
-    take_sample(before, books_before);
+    if (!chain_.faulted()) take_sample(before, books_before);    // else the last good sample stands
 }
 
 // A step that finds no equilibrium is taken in halves, and so is a hand that moves the tip by more than a contact spacing.
@@ -293,18 +308,20 @@ void Simulation::sample_loads() {
     sample_.patch_displacement = force > 0.0 ? moment / force : 0.0;
 }
 
-// The hand feels the opposite of what it does to the needle. Where there is no equilibrium, or no hand, the last force must not
-// be held.
-void Simulation::write_to_device() {
-    Wrench felt;
-    const bool stale = lost_ || hand_lost_;
-    if (!stale && !chain_.faulted()) {
-        const Wrench held = needle_.base_wrench();
-        felt = {.force = -held.force, .moment = -held.moment};
+// The hand feels the opposite of what it does to the needle.
+Wrench Simulation::felt() const {
+    if (lost_ || chain_.faulted()) return {};    // the needle's answer is of a step that was taken back, or of no use
+    const Wrench held = needle_.base_wrench();
+    return {.force = -held.force, .moment = -held.moment};
+}
+
+// Whatever has become of the others, the device is told: no force stands because a plugin threw.
+void Simulation::write_to_device(const Wrench& out) {
+    try {
+        device_.write(out);
+    } catch (...) {
+        fault("fault: a plugin threw an exception");
     }
-    if (!felt.finite()) fault("fault: the simulation's force is not finite");
-    const Wrench out = chain_.limit(felt, stale, dt_);
-    device_.write(out);
     observer_.wrote(out);
     sample_.device_force = -out.force.dot(base_.axis());
 }

@@ -49,14 +49,20 @@ public:
     /// Both must outlive it. Throws Error where the scene's contact spacing asks for too many contacts.
     Simulation(const Scene& scene, const Cast& cast);
 
-    void tick();
+    /// `held` [s] is how long the device has held the last force: the time step, unless a real-time loop was late. A force that
+    /// was held for too long is a stale one.
+    void tick(double held);
+    void tick() { tick(dt_); }
+
+    /// Instead of a tick, once the scene is over: takes the force from the hand. True while there is some left.
+    [[nodiscard]] bool let_go();
 
     [[nodiscard]] double time() const { return time_; }    // [s] at the end of the last tick
     [[nodiscard]] const Sample& sample() const { return sample_; }
     [[nodiscard]] std::span<const Event> events() const { return events_.list(); }    // of the last tick
     [[nodiscard]] const Ledger& ledger() const { return ledger_; }
     [[nodiscard]] const ForceChainCounts& force_chain() const { return chain_.counts(); }
-    [[nodiscard]] double least_port_energy() const { return observer_.least(); }    // [J]
+    [[nodiscard]] const PassivityObserver& passivity() const { return observer_; }
     [[nodiscard]] const PatchLoads& loads() const { return loads_; }
     [[nodiscard]] const TissueModel& tissue() const { return tissue_; }
     [[nodiscard]] const NeedleModel& needle() const { return needle_; }
@@ -81,7 +87,8 @@ private:
     void fault(const char* name);
     void take_sample(const Pose& before, const Balance& books_before);
     void sample_loads();
-    void write_to_device();
+    void write_to_device(const Wrench& out);
+    [[nodiscard]] Wrench felt() const;
 
     const NeedleSetup setup_;
     double dt_;         // [s]

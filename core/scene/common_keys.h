@@ -47,7 +47,7 @@ inline constexpr Parameter coupling_keys[] = {
 };
 
 inline constexpr Parameter run_keys[] = {
-    number("rate", "Hz", positive, "ticks per second of simulated time"),
+    number("rate", "Hz", {.least = 0.1, .greatest = 1e5}, "ticks per second of simulated time"),
     optional(number("duration", "s", positive, "simulated time; left out, the run lasts as long as the device's motion")),
 };
 

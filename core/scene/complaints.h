@@ -16,6 +16,8 @@ public:
     /// `file:line:col: path: sentence`, in the order of the lines; what a `--set` brought in comes last.
     [[nodiscard]] std::vector<std::string> messages() const;
 
+    [[nodiscard]] bool any() const { return !complaints_.empty(); }
+
     /// Throws SceneErrors if there is anything to complain of.
     void throw_if_any() const;
 

@@ -11,6 +11,8 @@
 
 namespace stylet::core {
 
+constexpr double most_ticks = 1e9;    // eleven days at 1 kHz
+
 void read_effects(const ValueTree& list, Reading& reading, Scene& scene) {
     if (list.shape != ValueTree::Shape::list) {
         reading.complaints.add(list.place, "effects",
@@ -49,12 +51,25 @@ void read_run(const ValueTree& map, Reading& reading, Scene& scene) {
     scene.run.rate = number_or_nan(keys, "rate");
     if (!keys.has("duration")) return;
     scene.run.duration = keys.number("duration");
-    if (*scene.run.duration * scene.run.rate < 0.5) {
+    if (const double ticks = *scene.run.duration * scene.run.rate; ticks > most_ticks) {
+        reading.complaints.add(reading.places.at("run.duration"), "run.duration",
+                               fmt::format("found {}, wanted at most {:g} s at this rate (how long the run is)",
+                                           map.find("duration")->description(), most_ticks * scene.run.dt()));
+    } else if (ticks < 0.5) {
         reading.complaints.add(reading.places.at("run.duration"), "run.duration",
                                fmt::format("found {}, wanted at least one tick of {:g} s (how long the run is)",
                                            map.find("duration")->description(), scene.run.dt()));
     }
 }
+
+namespace {
+
+const Column* column_of_an_absent_part(const std::string& word, const Scene& scene) {
+    const auto named = std::ranges::find_if(all_columns(), [&](const Column& column) { return word == column.name; });
+    return named == all_columns().end() || there(*named, scene.needle.has_value(), scene.tissue.has_value()) ? nullptr : &*named;
+}
+
+}    // namespace
 
 void read_record(const ValueTree& list, Reading& reading, Scene& scene) {
     if (list.shape != ValueTree::Shape::list || list.items.empty()) {
@@ -66,7 +81,12 @@ void read_record(const ValueTree& list, Reading& reading, Scene& scene) {
     for (std::size_t i = 0; i < list.items.size(); ++i) {
         const ValueTree& item = list.items[i];
         const bool known = item.shape == ValueTree::Shape::scalar && std::ranges::find(words, item.text) != words.end();
-        if (known) {
+        if (const Column* absent = known && !reading.complaints.any() ? column_of_an_absent_part(item.text, scene) : nullptr) {
+            const char* part = scene.needle ? "tissue" : absent->of == Column::Of::tissue ? "tissue" : "needle";
+            reading.complaints.add(
+                item.place, join("record", i),
+                fmt::format("found {}, and the scene has no {} (columns to record)", item.description(), part));
+        } else if (known) {
             scene.record.push_back(item.text);
         } else {
             reading.complaints.add(

@@ -23,9 +23,34 @@ constexpr std::size_t largest_scene = 1 << 20;    // [bytes] a written scene has
     throw SceneErrors(complaints.messages());
 }
 
+/// Where the first byte stands that is no UTF-8, or npos.
+std::size_t not_utf8(const std::string& text) {
+    for (std::size_t i = 0; i < text.size();) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const std::size_t more = byte < 0x80                   ? 0
+                                 : byte >= 0xC2 && byte < 0xE0 ? 1
+                                 : byte >= 0xE0 && byte < 0xF0 ? 2
+                                 : byte >= 0xF0 && byte < 0xF5 ? 3
+                                                               : 4;
+        for (std::size_t k = 1; k <= more; ++k) {
+            const bool continues = more < 4 && i + k < text.size() && (static_cast<unsigned char>(text[i + k]) & 0xC0) == 0x80;
+            if (!continues) return i;
+        }
+        i += more + 1;
+    }
+    return std::string::npos;
+}
+
 std::string text_of(const std::filesystem::path& file) {
     try {
-        return read_bytes(file, largest_scene);
+        std::string text = read_bytes(file, largest_scene);
+        if (const std::size_t at = not_utf8(text); at != std::string::npos) {
+            const auto line =
+                static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')) + 1;
+            const auto column = static_cast<int>(at - (text.rfind('\n', at) + 1)) + 1;
+            refuse({file.string(), line, column}, "", "found a byte that is no UTF-8, wanted a scene in UTF-8");
+        }
+        return text;
     } catch (const Error& error) {
         refuse({file.string(), 0, 0}, "", fmt::format("{}, wanted a scene", error.what()));
     }
@@ -122,8 +147,7 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<Override>&
     reading.complaints.throw_if_any();
     if (scene.record.empty()) {
         for (const Column& column : all_columns()) {
-            const bool there = column.of == Column::Of::scene || (column.of == Column::Of::needle ? scene.needle : scene.tissue);
-            if (there) scene.record.emplace_back(column.name);
+            if (there(column, scene.needle.has_value(), scene.tissue.has_value())) scene.record.emplace_back(column.name);
         }
     }
     scene.places = std::move(reading.places);

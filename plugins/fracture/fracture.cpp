@@ -9,7 +9,9 @@ namespace stylet::fracture {
 Fracture::Fracture(const Setup& setup)
     : rupture_force_(setup.parameters.number("rupture_force")),
       toughness_(setup.parameters.number("toughness")),
-      layer_(chosen_layer(setup)) {}
+      layer_(chosen_layer(setup)) {
+    expect_needle_and_tissue(setup);
+}
 
 double Fracture::cutting_force(double needle_radius) const {
     return 2.0 * std::numbers::pi * needle_radius * toughness_;

@@ -8,6 +8,7 @@ namespace stylet::friction {
 
 Friction::Friction(const Setup& setup)
     : kinetic_(setup.parameters.number("per_length")), static_(kinetic_), layer_(chosen_layer(setup)) {
+    expect_needle_and_tissue(setup);
     if (!setup.parameters.has("static_per_length")) return;
     static_ = setup.parameters.number("static_per_length");
     if (static_ >= kinetic_) return;

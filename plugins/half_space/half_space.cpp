@@ -168,7 +168,7 @@ StepReport HalfSpace::try_step(ContactPoints points, Forces forces) {
 }
 
 // The patches' share of a step, and theirs in where the contacts go.
-void HalfSpace::move_patches(Forces forces) {
+void HalfSpace::move_patches(const Forces& forces) {
     displacement_.head(forces.size()) += shift_.head(forces.size());
     trial_.patches_moved.noalias() = patches_.own() * trial_.load;
     trial_.patches_moved.noalias() += patches_.of_contacts(forces.size() / 3).transpose() * forces;

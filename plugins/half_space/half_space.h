@@ -76,7 +76,7 @@ private:
     Matrix3 block(const Footprint& i, const Footprint& j) const;
     void fill(int row, int count);
     void shift_contacts(ContactPoints points);
-    void move_patches(Forces forces);
+    void move_patches(const Forces& forces);
     int layer_at(double depth) const;
     double modulus_at(double depth) const;
     double room_at(double depth) const;

@@ -59,13 +59,17 @@ TEST(RealTime, WantsAtLeastOneThread) {
 
 TEST(RealTime, KeepsWhatWasDoneUntilCtrlC) {
     const Bench bench;
-    const std::string command = "cd '" + bench.path("").string() + "' && timeout --preserve-status --signal=INT 2 '" +
-                                STYLET_EXECUTABLE "' run '" + paper("fig10a_l150") +
-                                "' --set 'run.duration=100000 s' --real-time > said.txt";
+    const std::string command = "cd '" + bench.path("").string() + "' && { '" STYLET_EXECUTABLE "' run '" + paper("fig10a_l150") +
+                                "' '" + paper("fig9") +
+                                "' --set 'run.duration=100000 s' --real-time > said.txt 2> complained.txt & "
+                                "until grep -qs '^0.0' out/fig10a_l150.csv; do sleep 0.05; done; kill -INT $!; wait $!; }";
     const int status = std::system(command.c_str());
     ASSERT_TRUE(WIFEXITED(status));
     EXPECT_EQ(WEXITSTATUS(status), 130);
     EXPECT_THAT(bench.read("said.txt"), HasSubstr("energy ledger"));
+    EXPECT_THAT(bench.read("said.txt"), HasSubstr("stopped before the scene was over"));
+    EXPECT_EQ(bench.read("complained.txt"), paper("fig9") + ": not run: stopped by Ctrl-C\n");
+    EXPECT_FALSE(bench.has("out/fig9.csv"));
     EXPECT_EQ(bench.read("out/fig10a_l150.csv").back(), '\n');
 }
 

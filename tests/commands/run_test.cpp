@@ -60,9 +60,9 @@ TEST(Run, JsonHasTheShapeThatScriptsRelyOn) {
     const Outcome run = Bench().stylet({"run", paper("fig10a_l200"), "--json", "-"});
     ASSERT_EQ(run.code, 0) << run.err;
     const ordered_json json = ordered_json::parse(run.out);
-    EXPECT_THAT(keys_of(json), ElementsAre("title", "scene", "hash", "recording", "events", "unlisted_events", "peak_hand_force",
-                                           "largest_deflection", "buckling", "ledger", "loads", "hand", "real_time", "tick_us",
-                                           "ticks", "duration", "libraries"));
+    EXPECT_THAT(keys_of(json), ElementsAre("title", "scene", "hash", "recording", "series", "events", "unlisted_events",
+                                           "peak_hand_force", "largest_deflection", "buckling", "ledger", "loads", "hand",
+                                           "real_time", "tick_us", "stopped", "ticks", "duration", "libraries"));
     EXPECT_EQ(json["title"], "Fig. 10(a): L = 200 mm");
     ASSERT_FALSE(json["events"].empty());
     EXPECT_THAT(keys_of(json["events"][0]), ElementsAre("name", "time", "travel", "depth", "hand_force"));

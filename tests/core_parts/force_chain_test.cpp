@@ -156,7 +156,7 @@ TEST(ForceChain, CountsTheTicksOfEachStep) {
     EXPECT_EQ(chain.counts().slew, 5u) << "0.5 N in the first tick, 3 N within six";
     EXPECT_EQ(chain.counts().soft_start, 9u);
     EXPECT_EQ(chain.counts().stale, 3u);
-    EXPECT_EQ(chain.counts().not_finite, 1u);
+    EXPECT_EQ(chain.counts().fault, 1u);
 }
 
 }    // namespace

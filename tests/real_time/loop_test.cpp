@@ -4,6 +4,9 @@
 #include "core/scene/reader.h"
 
 #include <gtest/gtest.h>
+#include <stylet/error.h>
+
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -23,8 +26,10 @@ std::size_t total(const Latency& latency) {
     return std::accumulate(latency.counts().begin(), latency.counts().end(), std::size_t{0});
 }
 
-bool nothing_to_note() {
-    return true;
+/// Work that only ticks, and has nothing to let go.
+RealTimeLoop::Work ticking(
+    std::function<void()> tick, std::function<bool()> note = [] { return true; }) {
+    return {[tick = std::move(tick)](double) { tick(); }, std::move(note), [] { return false; }};
 }
 
 TEST(RealTimeLoop, TicksAsOftenAsItIsToldOnAThreadOfItsOwn) {
@@ -32,7 +37,7 @@ TEST(RealTimeLoop, TicksAsOftenAsItIsToldOnAThreadOfItsOwn) {
     std::size_t done = 0, noted = 0;
     std::thread::id thread;
     const RealTimeReport report = RealTimeLoop(period).run(
-        ticks, [&] { ++done, thread = std::this_thread::get_id(); }, [&] { return ++noted == done; }, {}, never);
+        ticks, ticking([&] { ++done, thread = std::this_thread::get_id(); }, [&] { return ++noted == done; }), {}, never);
     EXPECT_EQ(done, ticks);
     EXPECT_EQ(noted, ticks);
     EXPECT_NE(thread, std::this_thread::get_id());
@@ -47,7 +52,7 @@ TEST(RealTimeLoop, NeverRunsAheadOfTheClock) {
     std::vector<double> at;    // [s]
     at.reserve(ticks);
     const auto note_time = [&] { at.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()); };
-    const RealTimeReport report = RealTimeLoop(period).run(ticks, note_time, nothing_to_note, {}, never);
+    const RealTimeReport report = RealTimeLoop(period).run(ticks, ticking(note_time), {}, never);
     for (std::size_t i = 0; i < ticks; ++i) EXPECT_GE(at[i], static_cast<double>(i + 1) * period) << "tick " << i;
     EXPECT_GE(report.wall_time, static_cast<double>(ticks) * period);
 }
@@ -57,7 +62,7 @@ TEST(RealTimeLoop, GivesUpThePeriodsThatALongTickHasMissed) {
     const auto tick = [&] {
         if (++done == 5) std::this_thread::sleep_for(std::chrono::milliseconds(20));
     };
-    const RealTimeReport report = RealTimeLoop(period).run(10, tick, nothing_to_note, {}, never);
+    const RealTimeReport report = RealTimeLoop(period).run(10, ticking(tick), {}, never);
     EXPECT_EQ(done, 10u) << "ticks are not given up, only deadlines";
     EXPECT_GE(report.overruns, 1u);
     EXPECT_GE(report.skipped, 19u) << "twenty periods, of which the next tick's own may just be kept";
@@ -66,8 +71,8 @@ TEST(RealTimeLoop, GivesUpThePeriodsThatALongTickHasMissed) {
 
 TEST(RealTimeLoop, CountsTheRowsThatFoundNoRoom) {
     std::size_t done = 0;
-    const RealTimeReport report = RealTimeLoop(period).run(
-        10, [&] { ++done; }, [&] { return done % 2 == 0; }, {}, never);
+    const RealTimeReport report =
+        RealTimeLoop(period).run(10, ticking([&] { ++done; }, [&] { return done % 2 == 0; }), {}, never);
     EXPECT_EQ(report.lost_rows, 5u);
 }
 
@@ -77,8 +82,41 @@ TEST(RealTimeLoop, EndsWhenItIsAskedTo) {
     const auto tick = [&] {
         if (++done == 7) stop = true;
     };
-    (void)RealTimeLoop(period).run(1'000'000, tick, nothing_to_note, {}, stop);
+    (void)RealTimeLoop(period).run(1'000'000, ticking(tick), {}, stop);
     EXPECT_EQ(done, 7u);
+}
+
+TEST(RealTimeLoop, LetsGoInTheEnd) {
+    int left = 20;
+    std::size_t done = 0;
+    RealTimeLoop::Work work = ticking([&] { ++done; });
+    work.let_go = [&] { return done == 5 && --left > 0; };
+    (void)RealTimeLoop(period).run(5, work, {}, never);
+    EXPECT_EQ(left, 0);
+}
+
+TEST(RealTimeLoop, TellsATickForHowLongTheLastForceWasHeld) {
+    std::vector<double> held;    // [s]
+    held.reserve(10);
+    RealTimeLoop::Work work = ticking([] {});
+    work.tick = [&](double time) {
+        held.push_back(time);
+        if (held.size() == 5) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    };
+    (void)RealTimeLoop(period).run(10, work, {}, never);
+    ASSERT_EQ(held.size(), 10u);
+    EXPECT_GE(held[5], 20e-3) << "while the fifth tick was stuck, the force of the fourth stood";
+}
+
+TEST(RealTimeLoop, EndsWhereItsWatchThrows) {
+    std::size_t done = 0;
+    bool let_go = false;
+    RealTimeLoop::Work work = ticking([&] { ++done; });
+    work.let_go = [&] { return let_go = true, false; };
+    const auto watch = [](std::size_t) { throw Error("enough"); };
+    EXPECT_THROW((void)RealTimeLoop(period).run(1'000'000, work, watch, never), Error);
+    EXPECT_LT(done, 1'000'000u);
+    EXPECT_TRUE(let_go);
 }
 
 TEST(RealTimeLoop, TellsHowFarItIs) {
@@ -88,15 +126,13 @@ TEST(RealTimeLoop, TellsHowFarItIs) {
         rising = rising && done >= last;
         last = done;
     };
-    (void)RealTimeLoop(period).run(
-        200, [] {}, nothing_to_note, watch, never);
+    (void)RealTimeLoop(period).run(200, ticking([] {}), watch, never);
     EXPECT_GT(last, 0u);
     EXPECT_TRUE(rising);
 }
 
 TEST(RealTimeLoop, SaysWhatTheSystemGranted) {
-    const RealTimeReport report = RealTimeLoop(period).run(
-        1, [] {}, nothing_to_note, {}, never);
+    const RealTimeReport report = RealTimeLoop(period).run(1, ticking([] {}), {}, never);
     std::printf("scheduling: %s; memory: %s\n", report.scheduling.c_str(), report.memory.c_str());
     EXPECT_EQ(report.scheduling.find("SCHED_FIFO"), 0u);
     const bool plain = report.memory == "locked" || report.memory.starts_with("lock not granted (");
@@ -112,7 +148,8 @@ TEST(RealTimeRun, LeavesTheSameRecordingAsTheVirtualClock) {
     const PluginFolders folders({PLUGIN_FOLDER});
     // Fast, so that buckling and rupture come within a second.
     const Scene scene = read_scene(SCENE_FOLDER "/paper/fig10a_l150.yaml", {{"device.motion[0].speed", "100 mm/s"}}, folders);
-    const std::filesystem::path folder = testing::TempDir();
+    const std::filesystem::path folder = testing::TempDir() + "real_time_" + std::to_string(getpid());
+    std::filesystem::create_directory(folder);
     const RunReport virtual_clock = run(scene, folders, {.recording = folder / "virtual.csv"});
     const RunReport wall_clock = run_in_real_time(scene, folders, {.recording = folder / "wall.csv"});
     ASSERT_TRUE(wall_clock.real_time);
@@ -121,6 +158,7 @@ TEST(RealTimeRun, LeavesTheSameRecordingAsTheVirtualClock) {
     if (wall_clock.real_time->lost_rows == 0) {
         EXPECT_EQ(contents(folder / "wall.csv"), contents(folder / "virtual.csv"));
     }
+    std::filesystem::remove_all(folder);
     EXPECT_EQ(wall_clock.events.size(), virtual_clock.events.size());
     EXPECT_EQ(wall_clock.peak_hand_force, virtual_clock.peak_hand_force);
 }

@@ -28,6 +28,8 @@ UNSEEN = {
     "layers_leave_a_gap": "adds up items of a list and compares the sum with the extent",
 }
 
+NO_TEXT = "not_utf8"
+
 
 class BadScenes(unittest.TestCase):
     @classmethod
@@ -47,8 +49,12 @@ class BadScenes(unittest.TestCase):
         for name in UNSEEN:
             self.assertEqual(self.found(name), [], f"{name} is seen by now: take it out of UNSEEN")
 
+    def test_of_which_one_is_no_text(self):
+        with self.assertRaises(yaml.reader.ReaderError):
+            bench.read(self.scenes[NO_TEXT])
+
     def test_are_refused_otherwise(self):
-        others = sorted(set(self.scenes) - set(NO_YAML) - set(UNSEEN))
+        others = sorted(set(self.scenes) - set(NO_YAML) - set(UNSEEN) - {NO_TEXT})
         for name in others:
             self.assertNotEqual(self.found(name), [], f"{name} passes: let the schema see it, or tell in UNSEEN why it cannot")
         print(f"{len(others)} of {len(self.scenes)} bad scenes are refused by the schema, {len(NO_YAML)} by the YAML reader")

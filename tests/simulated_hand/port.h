@@ -8,13 +8,13 @@ namespace stylet::simulated_hand {
 /// Energies [J] at the port, and the least that each sum came to on the way (at most 0). With F_k the compression written at tick
 /// k and x_k the base's way along the needle:
 ///
-///     given  Σ F_k−1−delay (x_k − x_k−1)                     from hand to simulation: the passivity observer (Hannaford and Ryu
-///     2002) held   ½ Σ (F_k − F_k−1)(x_k − x_k−1)                  what a force that is held between ticks gives back too much;
-///     with it,
-///                                                            `given` is the trapezoid's work, the simulation's own
-///     lost   Σ b (x_k − x_k−1)²/dt + F_c |x_k − x_k−1|       in the device, at least: the square of the mean speed is no more
-///     than
-///                                                            the mean square
+///     given  Σ F_k−1−delay (x_k − x_k−1)
+///     held   ½ Σ (F_k − F_k−1)(x_k − x_k−1)
+///     lost   Σ b (x_k − x_k−1)²/dt + F_c |x_k − x_k−1|
+///
+/// `given`, from hand to simulation, is the passivity observer (Hannaford and Ryu 2002); `held` is what a force that is held
+/// between ticks gives back too much: with it, `given` is the trapezoid's work, the simulation's own. `lost` is in the device, at
+/// least: the square of the mean speed is no more than the mean square.
 struct Port {
     double given = 0.0, held = 0.0, lost = 0.0;
     double least_given = 0.0;

@@ -41,7 +41,7 @@ public:
         const std::vector<std::string> arguments{"--tool=callgrind",
                                                  "--toggle-collect=stylet::core::read_scene(*",
                                                  "--toggle-collect=stylet::core::Cast::Cast(*",
-                                                 "--toggle-collect=stylet::core::Simulation::tick()",
+                                                 "--toggle-collect=stylet::core::Simulation::tick(double)",
                                                  "--callgrind-out-file=" + counts,
                                                  bench_.path("bin/stylet").string(),
                                                  "run",
@@ -50,6 +50,8 @@ public:
                                                  "needle.type=beam_column",
                                                  "--set",
                                                  "device.cycles=10",
+                                                 "--threads",
+                                                 "1",    // another thread looks for work as long as it likes
                                                  "--quiet"};
         const int code = process::system(process::exe = VALGRIND_EXECUTABLE, process::args(arguments), environment,
                                          process::start_dir(bench_.path("").string()),

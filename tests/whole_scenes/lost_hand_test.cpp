@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 namespace stylet::whole_scenes {
 namespace {
@@ -26,7 +27,15 @@ Pose in_and_held(double time) {
 struct Felt {
     std::vector<double> force;
     Trace trace;
+    std::size_t slewed = 0;    // ticks
 
+    /// [N] The greatest change from tick to tick once the soft start is over.
+    [[nodiscard]] double greatest_change() const {
+        double greatest = 0.0;
+        for (auto i = static_cast<std::size_t>(limits.soft_start / dt) + 2; i < trace.samples.size(); ++i)
+            greatest = std::max(greatest, std::abs(trace.samples[i].device_force - trace.samples[i - 1].device_force));
+        return greatest;
+    }
     [[nodiscard]] double at(double time) const { return force.at(static_cast<std::size_t>(std::lround(time / dt)) - 1); }
 };
 
@@ -35,7 +44,7 @@ Felt play_and_feel(const std::function<double(double time)>& age, const Motion& 
     stage.hand().age = age;
     Felt felt{.force = {}, .trace = play(stage, ticks)};
     for (const core::Sample& sample : felt.trace.samples) felt.force.push_back(std::abs(sample.device_force));
-    EXPECT_LE(stage.hand().greatest_change, limits.force_rate * dt * (1.0 + rounding) + limits.force * dt / limits.ramp_down);
+    felt.slewed = stage.simulation().force_chain().slew;
     expect_sound(felt.trace);
     return felt;
 }
@@ -90,6 +99,38 @@ TEST(LostHand, ThatComesBackDeeperIsFeltFromNothing) {
     EXPECT_GT(felt.force.back(), 0.1);
 }
 
+TEST(BrokenHand, ThatThrowsInEveryTickIsToldToLetGo) {
+    Stage stage(own_scene("driven"), {}, [](double time) {
+        if (time >= lost_at) throw std::runtime_error("a broken cable");
+        return in_and_held(time);
+    });
+    const Trace trace = play(stage, 1500);
+    print_events(trace);
+    EXPECT_EQ(trace.count("fault: a plugin threw an exception"), 1u);
+    const auto before = static_cast<std::size_t>(std::lround(lost_at / dt)) - 2;
+    EXPECT_GT(std::abs(trace.samples[before].device_force), 0.1) << "there is something to let go";
+    EXPECT_EQ(stage.hand().last.force.norm(), 0.0);
+    EXPECT_GT(stage.simulation().force_chain().fault, 0u);
+}
+
+TEST(Hand, IsLetGoWhenTheSceneIsOver) {
+    Stage stage(own_scene("driven"), {}, in_and_held);
+    (void)play(stage, 500);
+    EXPECT_GT(stage.hand().last.force.norm(), 0.1);
+    int ticks = 0;
+    while (stage.simulation().let_go()) ++ticks;
+    EXPECT_EQ(stage.hand().last.force.norm(), 0.0);
+    EXPECT_NEAR(ticks * dt, limits.ramp_down, 1.5 * dt);
+}
+
+TEST(Hand, ThatWasLeftWithAForceForTooLongIsGivenNone) {
+    Stage stage(own_scene("driven"), {}, in_and_held);
+    (void)play(stage, 500);
+    stage.simulation().tick(0.5);    // the loop was late by half a second
+    EXPECT_EQ(stage.hand().last.force.norm(), 0.0);
+    EXPECT_EQ(stage.simulation().force_chain().stale, 1u);
+}
+
 TEST(JumpingHand, ByFiftyMillimetresInATickIsSlewedAndRecovers) {
     const Motion jump = [](double time) {
         const bool away = time >= lost_at && time < lost_at + 0.5 * dt;
@@ -99,9 +140,14 @@ TEST(JumpingHand, ByFiftyMillimetresInATickIsSlewedAndRecovers) {
     print_events(felt.trace);
     EXPECT_EQ(felt.trace.count("not converged"), 0u);
     EXPECT_GT(felt.trace.samples.back().inserted, 30e-3) << "back in its track";
+    measured("greatest_change", felt.greatest_change(), "N in a tick");
+    EXPECT_GT(felt.slewed, 0u);
+    EXPECT_LE(felt.greatest_change(), limits.force_rate * dt * (1.0 + rounding));
 }
 
-TEST(JumpingHand, ByHalfATurnInATickIsSlewedAndRecovers) {
+/// No needle is turned by half a turn within its track: where it ends up is anyone's guess, and it doesn't find back into its old
+/// track. What matters then is that the hand is spared: slewed, limited, and given no energy.
+TEST(JumpingHand, ByHalfATurnInATickIsSlewedLimitedAndGivenNoEnergy) {
     const Motion turn = [](double time) {
         Pose pose = in_and_held(time);
         if (time >= lost_at && time < lost_at + 0.1)
@@ -109,16 +155,19 @@ TEST(JumpingHand, ByHalfATurnInATickIsSlewedAndRecovers) {
         return pose;
     };
     Stage stage(own_scene("driven"), {}, turn);
-    const Trace trace = play(stage, 1500);
-    print_events(trace);
+    Felt felt{.force = {}, .trace = play(stage, 1500)};
+    print_events(felt.trace);
     double made = 0.0;    // [of the peak work]
-    for (const core::Sample& sample : trace.samples) made = std::max(made, -sample.residual / trace.peak_work);
+    for (const core::Sample& sample : felt.trace.samples) {
+        ASSERT_TRUE(std::isfinite(sample.hand_force) && std::isfinite(sample.residual));
+        made = std::max(made, -sample.residual / felt.trace.peak_work);
+    }
     measured("made", made, "of the peak work");
+    measured("greatest_change", felt.greatest_change(), "N in a tick");
     EXPECT_LE(made, sound_residual);
-    EXPECT_LE(stage.hand().greatest_change, limits.force_rate * dt * (1.0 + rounding) + limits.force * dt / limits.ramp_down);
+    EXPECT_GT(stage.simulation().force_chain().slew, 0u);
+    EXPECT_LE(felt.greatest_change(), limits.force_rate * dt * (1.0 + rounding));
     EXPECT_LE(stage.hand().greatest_force, limits.force * (1.0 + rounding));
-    for (const core::Sample& sample : trace.samples) ASSERT_TRUE(std::isfinite(sample.hand_force));
-    EXPECT_TRUE(std::isfinite(trace.samples.back().residual));
 }
 
 }    // namespace

@@ -45,6 +45,14 @@ struct Settlement {
     double needle_radius = 0.0;    // [m]
 };
 
+/// For the constructor of an effect that acts where a needle meets a tissue. Throws Error where the scene lacks one of them.
+inline void expect_needle_and_tissue(const Setup& setup) {
+    if (setup.needle == nullptr)
+        throw Error("found a scene without a needle, wanted one: this acts where a needle meets a tissue");
+    if (setup.tissue == nullptr)
+        throw Error("found a scene without a tissue, wanted one: this acts where a needle meets a tissue");
+}
+
 class ForceModel : public Object {
 public:
     static constexpr Role role = Role::effect;

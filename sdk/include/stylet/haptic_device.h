@@ -5,7 +5,8 @@
 
 namespace stylet {
 
-/// What the device can bear. Core never writes more.
+/// What the device can bear; all positive and finite. Core never writes more force or moment. The simulation's answer is slewed
+/// to `force_rate` before it is faded in or out, so a fade adds its own slope; a fault may take the force away at once.
 struct DeviceLimits {
     double force;          // [N] largest magnitude
     double moment;         // [N·m] largest magnitude
@@ -21,7 +22,8 @@ struct Reading {
     double age = 0.0;    // [s] how long ago it was measured; of a device that has lost its hand, ever more
 };
 
-/// A hand on the base: tells where it is, takes the wrench that core has limited.
+/// A hand on the base. When a scene is over core fades the force out before it destroys the device; a device that is destroyed
+/// while it still holds a force must let it go itself. Tells where it is, takes the wrench that core has limited.
 class HapticDevice : public Object {
 public:
     static constexpr Role role = Role::device;

@@ -21,8 +21,9 @@ public:
     /// Moves the tissue under everything already known for `dt` [s]. dt = 0: core solves again at one instant, nothing moves on.
     virtual void predict(double dt) = 0;
 
-    /// The patches that the scene's effects load, told once before anything else; they live as long as the tissue. A force on a
-    /// patch is shared evenly by what it covers (its area, its nodes). Throws Error where this tissue can't be loaded there.
+    /// The patches that the scene's effects load, told before anything else. Each call replaces the last; the span doesn't
+    /// outlive it. A force on a patch is shared evenly by what it covers (its area, its nodes). Throws Error where this tissue
+    /// can't be loaded there.
     virtual void bear(std::span<const Patch> patches) {
         if (!patches.empty()) throw Error("this tissue bears no load on a patch of its surface");
     }

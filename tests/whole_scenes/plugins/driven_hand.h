@@ -11,7 +11,7 @@ namespace stylet::whole_scenes {
 class DrivenHand final : public HapticDevice {
 public:
     static constexpr DeviceLimits device_limits{
-        .force = 5.0, .moment = 0.5, .force_rate = 1e4, .soft_start = 0.01, .stale_after = 0.002, .ramp_down = 0.02};
+        .force = 5.0, .moment = 0.5, .force_rate = 500.0, .soft_start = 0.01, .stale_after = 0.002, .ramp_down = 0.02};
 
     explicit DrivenHand(const Setup&) {}
 
@@ -20,7 +20,6 @@ public:
         return {.pose = motion ? motion(time) : Pose{.position = {0.0, 0.0, 1.0}}, .age = age ? age(time) : 0.0};
     }
     void write(const Wrench& wrench) override {
-        greatest_change = std::max(greatest_change, (wrench.force - last.force).norm());
         last = wrench;
         greatest_force = std::max(greatest_force, wrench.force.norm());
     }
@@ -29,8 +28,7 @@ public:
     std::function<Pose(double time)> motion;
     std::function<double(double time)> age;    // [s]
     Wrench last;
-    double greatest_force = 0.0;     // [N]
-    double greatest_change = 0.0;    // [N] from one tick to the next
+    double greatest_force = 0.0;    // [N]
 };
 
 }    // namespace stylet::whole_scenes
