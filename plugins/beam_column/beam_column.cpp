@@ -41,7 +41,16 @@ BeamColumn::BeamColumn(const Setup& setup)
 
 double BeamColumn::critical_load(double free_length) const {
     if (buckling_ == nullptr) return infinity;
-    return buckling_->critical_load({needle_.bending_stiffness(), free_length, needle_.radius, needle_.ends});
+    return buckling_->critical_load({.bending_stiffness = needle_.bending_stiffness(),
+                                     .free_length = free_length,
+                                     .inserted = std::max(0.0, needle_.length - free_length),
+                                     .depth = depth(free_length),
+                                     .radius = needle_.radius,
+                                     .ends = needle_.ends});
+}
+
+double BeamColumn::depth(double free_length) const {
+    return std::max(0.0, needle_.length - free_length) * std::abs(trial_.base.axis().z());
 }
 
 void BeamColumn::predict(const Pose& base, double free_length, double /*dt: no inertia*/) {
@@ -52,8 +61,9 @@ void BeamColumn::predict(const Pose& base, double free_length, double /*dt: no i
 // A column shorter than the needle is thick is none: its length stays at the radius.
 void BeamColumn::set_free_length(double free_length) {
     const double length = std::max(free_length, needle_.radius);
-    if (length == trial_.free_length) return;
+    if (length == trial_.free_length && depth(length) == trial_.depth) return;
     trial_.free_length = length;
+    trial_.depth = depth(length);
     trial_.critical_load = critical_load(length);
     if (buckling_ != nullptr) {
         const double h = 1e-4 * length;

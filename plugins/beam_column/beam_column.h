@@ -44,6 +44,7 @@ private:
     struct State {
         Pose base;
         double free_length = 0.0;       // [m] L
+        double depth = 0.0;             // [m] of the straight needle's tip below the surface
         double critical_load = 0.0;     // [N] P_cr(L), infinite without buckling
         double critical_slope = 0.0;    // [N/m] dP_cr/dL
         double shortening = 0.0;        // [m] δ
@@ -54,6 +55,7 @@ private:
 
     double stored(const State& state) const;
     double critical_load(double free_length) const;
+    double depth(double free_length) const;
     void set_free_length(double free_length);
     Vector3 position(const State& state, double arclength) const;
     static Vector3 straight(const State& state, double arclength);

@@ -21,7 +21,7 @@ using std::numbers::pi;
 /// Euler's load of a clamped-pinned column, so that this test needs no other plugin.
 struct ClampedPinned final : BucklingModel {
     double critical_load(const Column& column) const override {
-        const double length = std::max(column.length, column.radius);
+        const double length = std::max(column.free_length, column.radius);
         return 20.190728556 * column.bending_stiffness / (length * length);
     }
 };
@@ -128,7 +128,10 @@ const Case with_buckling{.name = "with", .buckling = &buckling};
 const Case without_buckling{.name = "without"};
 
 double critical(const Case& with) {
-    return buckling.critical_load({with.needle.bending_stiffness(), with.needle.length, with.needle.radius, with.needle.ends});
+    return buckling.critical_load({.bending_stiffness = with.needle.bending_stiffness(),
+                                   .free_length = with.needle.length,
+                                   .radius = with.needle.radius,
+                                   .ends = with.needle.ends});
 }
 
 TEST(BeamColumn, StaysStraightBelowItsCriticalLoadAndNeverAbove) {

@@ -26,7 +26,7 @@ double end_factor(Ends ends) {
 }    // namespace
 
 double Euler::critical_load(const Column& column) const {
-    const double length = std::max(column.length, column.radius);
+    const double length = std::max(column.free_length, column.radius);
     return end_factor(column.ends) * column.bending_stiffness / (length * length);
 }
 

@@ -20,7 +20,8 @@ constexpr double radius = 0.3e-3;           // [m]
 double load(double length, Ends ends, double needle_radius = radius) {
     const NeedleSetup needle{.length = length, .radius = needle_radius, .youngs_modulus = youngs_modulus, .ends = ends};
     const auto model = contract::make<BucklingModel>(STYLET_PLUGIN_FILE, plain);
-    return model->critical_load({needle.bending_stiffness(), length, needle_radius, ends});
+    return model->critical_load(
+        {.bending_stiffness = needle.bending_stiffness(), .free_length = length, .radius = needle_radius, .ends = ends});
 }
 
 TEST(Euler, GivesTheLoadsOfFigure10) {

@@ -13,7 +13,7 @@ constexpr std::array all_ends{Ends::clamped_free, Ends::pinned_pinned, Ends::cla
 
 Column column_of(const Case& with, Ends ends) {
     return {.bending_stiffness = with.needle.bending_stiffness(),
-            .length = with.needle.length,
+            .free_length = with.needle.length,
             .radius = with.needle.radius,
             .ends = ends};
 }
@@ -31,7 +31,7 @@ void for_all_ends(const Descriptor& plugin, const Case& with, Function check) {
 void any_length_has_a_finite_load(const Descriptor& plugin, const Case& with) {
     for_all_ends(plugin, with, [](const BucklingModel& model, Column column) {
         for (const double length : {0.0, 1e-300, 1e-12, 1e-6, column.radius, 1e-3, 0.1, 1.0, 1e3}) {
-            column.length = length;
+            column.free_length = length;
             const double load = model.critical_load(column);
             EXPECT_TRUE(std::isfinite(load) && load > 0.0) << load << " N at " << length << " m";
         }
@@ -40,12 +40,12 @@ void any_length_has_a_finite_load(const Descriptor& plugin, const Case& with) {
 
 void a_longer_column_bears_less(const Descriptor& plugin, const Case& with) {
     for_all_ends(plugin, with, [](const BucklingModel& model, Column column) {
-        const double longest = column.length;
+        const double longest = column.free_length;
         double before = model.critical_load(column);
         for (int i = 19; i >= 1; --i) {
-            column.length = longest * i / 20.0;
+            column.free_length = longest * i / 20.0;
             const double now = model.critical_load(column);
-            EXPECT_GT(now, before) << "at " << column.length << " m";
+            EXPECT_GT(now, before) << "at " << column.free_length << " m";
             before = now;
         }
     });
@@ -72,7 +72,7 @@ void same_column_same_load(const Descriptor& plugin, const Case& with) {
         const auto other = make(plugin, with);
         const double first = model.critical_load(column);
         Column disturbing = column;
-        disturbing.length *= 0.5;
+        disturbing.free_length *= 0.5;
         (void)model.critical_load(disturbing);
         EXPECT_EQ(model.critical_load(column), first);
         EXPECT_EQ(static_cast<const BucklingModel&>(*other).critical_load(column), first);

@@ -235,7 +235,7 @@ public:
     [[nodiscard]] double critical_load(const Column& column) const override {
         static constexpr std::array factors{2.5, 9.9, 20.2, 39.5};
         if (flaw_.is("allocates")) allocate();
-        const double length = flaw_.is("not capped") ? column.length : std::max(column.length, column.radius);
+        const double length = flaw_.is("not capped") ? column.free_length : std::max(column.free_length, column.radius);
         const double stiffness = flaw_.is("stiffness ignored") ? 1.0 : column.bending_stiffness;
         const auto ends = static_cast<std::size_t>(column.ends);
         double load = factors[flaw_.is("ends mixed up") ? 3 - ends : ends] * stiffness / (length * length);

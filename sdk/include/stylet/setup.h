@@ -5,6 +5,7 @@
 #include <stylet/workers.h>
 
 #include <cstdint>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -33,15 +34,20 @@ struct TissueSetup {
 
 /// The common keys of every needle.
 struct NeedleSetup {
-    double length;            // [m] from the base to the tip
-    double radius;            // [m]
-    double youngs_modulus;    // [Pa]
+    double length;                // [m] from the base to the tip
+    double radius;                // [m]
+    double inner_radius = 0.0;    // [m] of a tube; zero: a solid section
+    double youngs_modulus;        // [Pa]
     Ends ends;
 
-    [[nodiscard]] double bending_stiffness() const {    // [N·m²] EI of a solid round section
-        constexpr double pi = 3.14159265358979323846;
-        return youngs_modulus * pi * radius * radius * radius * radius / 4.0;
+    [[nodiscard]] double area() const {    // [m²] of the section
+        return std::numbers::pi * (radius * radius - inner_radius * inner_radius);
     }
+    [[nodiscard]] double second_moment() const {    // [m⁴] I of the section about a diameter
+        const double outer = radius * radius, inner = inner_radius * inner_radius;
+        return std::numbers::pi * (outer * outer - inner * inner) / 4.0;
+    }
+    [[nodiscard]] double bending_stiffness() const { return youngs_modulus * second_moment(); }    // [N·m²] EI
 };
 
 /// Everything a plugin is made from. References and pointers hold while the plugin lives.

@@ -11,7 +11,10 @@ public:
         const stylet::NeedleSetup& needle = *setup.needle;
         if (needle.radius < 1e-6) throw stylet::Error("radius", "found a needle too thin for this model");
         if (setup.buckling == nullptr) return;
-        critical_load_ = setup.buckling->critical_load({needle.bending_stiffness(), needle.length, needle.radius, needle.ends});
+        critical_load_ = setup.buckling->critical_load({.bending_stiffness = needle.bending_stiffness(),
+                                                        .free_length = needle.length,
+                                                        .radius = needle.radius,
+                                                        .ends = needle.ends});
     }
 };
 

@@ -5,7 +5,7 @@ namespace {
 class Euler : public stylet::BucklingModel {
 public:
     explicit Euler(const stylet::Setup&) {}
-    double critical_load(const stylet::Column& column) const override { return column.length; }
+    double critical_load(const stylet::Column& column) const override { return column.free_length; }
 };
 
 }    // namespace
