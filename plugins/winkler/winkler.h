@@ -1,0 +1,26 @@
+#pragma once
+
+#include <stylet/foundation.h>
+
+namespace stylet::winkler {
+
+/// The converged critical load of a column on a piecewise constant elastic foundation.
+///
+///     EI w⁗ + P w″ + k(x) w = 0,   P the smallest for which a w ≠ 0 keeps to the ends
+///
+/// by cubic Hermite elements, O(h⁴): K x = P G x. The ends are those of the whole column, base and tip; k(x) [Pa] is zero in air
+/// and may jump anywhere inside an element. Source: Hetényi 1946, Beams on Elastic Foundation; Przemieniecki 1968 for the
+/// elements. A length below the needle's radius counts as the radius. Leaves out what Euler leaves out, but for the tissue, whose
+/// answer in one place does not depend on how the needle bends in the next.
+class Winkler final : public BucklingModel {
+public:
+    explicit Winkler(const Setup& setup);
+
+    double critical_load(const Column& column) const override;
+
+private:
+    Foundation foundation_;
+    int elements_;
+};
+
+}    // namespace stylet::winkler
