@@ -62,6 +62,7 @@ private:
         ordered_json schema = map_schema(section.keys);
         if (section.role) choose_plugin(section, schema);
         if (section.part != nullptr) schema["properties"][section.part->key] = of_section(*section.part);
+        if (&section == &core::needle_section) schema["allOf"].push_back(radii_rule());
         return schema;
     }
 
@@ -138,6 +139,13 @@ private:
                                      : fmt::format("[{}] {}", column->unit, column->meaning));
         }
         return {{"enum", words}, {"enumDescriptions", meanings}};
+    }
+
+    /// A gauge or radii, as read_needle (core/scene/needle_section.cpp) has it.
+    static ordered_json radii_rule() {
+        return {{"if", {{"required", {"gauge"}}}},
+                {"then", {{"properties", {{"radius", false}, {"inner_radius", false}}}}},
+                {"else", {{"required", {"radius"}}}}};
     }
 
     /// What the sections ask of each other, as check_sections (core/scene/reader.cpp) has it.

@@ -1,102 +1,34 @@
 #include "core/loading/cast.h"
 
 #include "core/loading/absent.h"
-
-#include "core/scene/complaints.h"
-#include "core/scene/value_tree.h"
+#include "core/loading/maker.h"
 
 #include <cmath>
 #include <utility>
 
 namespace stylet::core {
 
-/// Makes the objects of one cast, and gathers what goes wrong with any of them.
-struct Cast::Maker {
-    const Scene& scene;
-    const PluginFolders& folders;
-    Workers& workers;
-    std::vector<PluginLibrary>& libraries;
-    Complaints complaints{};
+namespace {
 
-    /// A library is opened once, however many objects come from it.
-    const Descriptor& descriptor(const std::string& type, Role role) {
-        for (const PluginLibrary& library : libraries) {
-            const Descriptor& open = library.descriptor();
-            if (open.role == role && open.name == type) return open;
+/// What a device says of itself is what keeps a hand safe.
+void check_limits(const Choice& choice, const HapticDevice& device, Maker& maker) {
+    maker.guard(choice, [&] {
+        const DeviceLimits limits = device.limits();
+        for (const auto& [name, limit] : {std::pair{"force", limits.force},
+                                          {"moment", limits.moment},
+                                          {"force_rate", limits.force_rate},
+                                          {"soft_start", limits.soft_start},
+                                          {"stale_after", limits.stale_after},
+                                          {"ramp_down", limits.ramp_down}}) {
+            if (std::isfinite(limit) && limit > 0.0) continue;
+            throw Error("the plugin '" + choice.type + "' states a limit '" + name + "' of " + std::to_string(limit) +
+                        ", wanted one that is positive and finite");
         }
-        libraries.push_back(PluginLibrary::open(type, role, folders));
-        return libraries.back().descriptor();
-    }
+        if (!(device.duration() >= 0.0)) throw Error("the plugin '" + choice.type + "' states a duration below zero");
+    });
+}
 
-    /// A constructor names its own parameter, a common key of its role, or a whole path.
-    void complain(const Choice& choice, const Error& error) {
-        if (error.key().empty()) {
-            complaints.add(choice.place, choice.path, error.what());
-            return;
-        }
-        const std::string own_map = join(join(choice.path, choice.type), error.key());
-        const std::string beside_type = join(choice.path, error.key());
-        for (const std::string& path : {own_map, beside_type, error.key()}) {
-            if (const auto found = scene.places.find(path); found != scene.places.end()) {
-                complaints.add(found->second, path, error.what());
-                return;
-            }
-        }
-        complaints.add(choice.place, beside_type, error.what());
-    }
-
-    /// Runs what calls a plugin, and turns whatever that throws into a complaint. Nothing of a plugin's own may get out of here:
-    /// its library is closed before it would be caught.
-    template <class Work>
-    bool guard(const Choice& choice, Work&& work) {
-        try {
-            work();
-            return true;
-        } catch (const Error& error) {
-            complain(choice, error);
-        } catch (const std::exception& error) {
-            complain(choice, Error("the plugin '" + choice.type + "' failed: " + error.what()));
-        } catch (...) {
-            complain(choice, Error("the plugin '" + choice.type + "' failed with something that is no exception"));
-        }
-        return false;
-    }
-
-    template <class Model>
-    std::unique_ptr<Model> make(const Choice& choice, const BucklingModel* buckling) {
-        std::unique_ptr<Model> model;
-        guard(choice, [&] {
-            const Descriptor& plugin = descriptor(choice.type, Model::role);
-            const Setup setup{.parameters = choice.parameters,
-                              .tissue = scene.tissue_setup ? &*scene.tissue_setup : nullptr,
-                              .needle = scene.needle_setup ? &*scene.needle_setup : nullptr,
-                              .buckling = buckling,
-                              .dt = scene.run.dt(),
-                              .workers = workers};
-            model.reset(static_cast<Model*>(plugin.create(setup)));
-            if (!model) throw Error("the plugin '" + choice.type + "' made nothing");
-        });
-        return model;
-    }
-
-    /// What a device says of itself is what keeps a hand safe.
-    void check_limits(const Choice& choice, const HapticDevice& device) {
-        guard(choice, [&] {
-            const DeviceLimits limits = device.limits();
-            for (const auto& [name, limit] : {std::pair{"force", limits.force},
-                                              {"moment", limits.moment},
-                                              {"force_rate", limits.force_rate},
-                                              {"soft_start", limits.soft_start},
-                                              {"stale_after", limits.stale_after},
-                                              {"ramp_down", limits.ramp_down}}) {
-                if (std::isfinite(limit) && limit > 0.0) continue;
-                throw Error("the plugin '" + choice.type + "' states a limit '" + name + "' of " + std::to_string(limit) +
-                            ", wanted one that is positive and finite");
-            }
-            if (!(device.duration() >= 0.0)) throw Error("the plugin '" + choice.type + "' states a duration below zero");
-        });
-    }
-};
+}    // namespace
 
 Cast::Cast(const Scene& scene, const PluginFolders& folders, Workers& workers) {
     Maker maker{.scene = scene, .folders = folders, .workers = workers, .libraries = libraries_};
@@ -112,7 +44,7 @@ Cast::Cast(const Scene& scene, const PluginFolders& folders, Workers& workers) {
     device_ = scene.device
                   ? maker.make<HapticDevice>(*scene.device, nullptr)
                   : std::make_unique<StillHand>(scene.needle_setup ? scene.needle_setup->length : StillHand::out_of_the_way);
-    if (scene.device && device_) maker.check_limits(*scene.device, *device_);
+    if (scene.device && device_) check_limits(*scene.device, *device_, maker);
     if (tissue_) load_patches(maker);
     maker.complaints.throw_if_any();
 }

@@ -15,6 +15,8 @@
 
 namespace stylet::core {
 
+struct Maker;
+
 /// Everything that acts in a scene, loaded and made. Nothing that the scene does not name is in it.
 class Cast {
 public:
@@ -36,8 +38,6 @@ public:
     [[nodiscard]] std::vector<std::filesystem::path> libraries() const;
 
 private:
-    struct Maker;
-
     void load_patches(Maker& maker);
 
     std::vector<PluginLibrary> libraries_;

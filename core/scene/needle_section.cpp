@@ -1,3 +1,4 @@
+#include "core/scene/gauges.h"
 #include "core/scene/plugin_choice.h"
 #include "core/scene/sections.h"
 
@@ -13,6 +14,52 @@ Ends ends_of(const std::string& word) {
     return Ends::clamped_clamped;
 }
 
+/// Complains of `key`, which the map gives.
+void complain_of(const char* key, const ValueTree& map, const std::string& wanted, Reading& reading) {
+    const std::string path = join("needle", key);
+    const std::string sentence = fmt::format("found {}, wanted {}", map.find(key)->description(), wanted);
+    reading.complaints.add(reading.places.at(path), path, sentence);
+}
+
+/// A gauge says both radii.
+void read_gauge(const ValueTree& map, const Parameters& keys, NeedleSetup& needle, Reading& reading) {
+    if (keys.has("gauge")) {
+        const Gauge& gauge = *find_gauge(keys.text("gauge"));    // one of its declared choices
+        needle.radius = gauge.outer_diameter / 2.0;
+        needle.inner_radius = gauge.inner_diameter / 2.0;
+    }
+    for (const char* key : {"radius", "inner_radius"}) {
+        if (map.find(key) == nullptr) continue;
+        complain_of(key, map,
+                    fmt::format("none beside gauge {}, which says it already: change needle.gauge, or give radii instead of it",
+                                map.find("gauge")->description()),
+                    reading);
+    }
+    if (needle.radius >= needle.length) {
+        complain_of(
+            "gauge", map,
+            fmt::format("a radius less than the needle's length of {:g} m (this one's is {:g} m)", needle.length, needle.radius),
+            reading);
+    }
+}
+
+void read_radii(const ValueTree& map, const Parameters& keys, NeedleSetup& needle, Reading& reading) {
+    constexpr double thinnest_wall = 1e-6;    // of the radius: a thinner one is lost to rounding, and with it all stiffness
+    if (map.find("radius") == nullptr) {
+        miss_key(map, "needle.radius", "a length in m such as '0.3 mm' (needle radius), or a gauge such as 22G", reading);
+    }
+    needle.radius = number_or_nan(keys, "radius");
+    if (keys.has("inner_radius")) needle.inner_radius = keys.number("inner_radius");
+    if (needle.radius >= needle.length) {
+        complain_of("radius", map, fmt::format("less than the needle's length of {:g} m (needle radius)", needle.length),
+                    reading);
+    }
+    if (needle.inner_radius > needle.radius * (1.0 - thinnest_wall)) {
+        complain_of("inner_radius", map,
+                    fmt::format("less than the needle's radius of {:g} m (inner radius of a tube)", needle.radius), reading);
+    }
+}
+
 }    // namespace
 
 void read_needle(const ValueTree& map, Reading& reading, Scene& scene) {
@@ -20,13 +67,13 @@ void read_needle(const ValueTree& map, Reading& reading, Scene& scene) {
     const Parameters keys = read_parameters(map, "needle", needle_keys, reading);
     NeedleSetup& needle = scene.needle_setup.emplace();
     needle.length = number_or_nan(keys, "length");
-    needle.radius = number_or_nan(keys, "radius");
     needle.youngs_modulus = number_or_nan(keys, "youngs_modulus");
     if (keys.has("ends")) needle.ends = ends_of(keys.text("ends"));
-    if (needle.radius >= needle.length) {
-        reading.complaints.add(reading.places.at("needle.radius"), "needle.radius",
-                               fmt::format("found {}, wanted less than the needle's length of {:g} m (needle radius)",
-                                           map.find("radius")->description(), needle.length));
+    if (keys.has("gauge")) scene.gauge = keys.text("gauge");
+    if (map.find("gauge") != nullptr) {
+        read_gauge(map, keys, needle, reading);
+    } else {
+        read_radii(map, keys, needle, reading);
     }
     const ValueTree* buckling = map.find("buckling");
     if (buckling != nullptr && is_map(*buckling, "needle.buckling", buckling_section.meaning, reading)) {

@@ -39,8 +39,8 @@ std::vector<Step> steps_of(const std::string& key) {
     return steps;
 }
 
-/// The value that one step leads to. Only the last step may name a key that is not there yet.
-ValueTree* follow(ValueTree& from, const Step& step, const std::string& path, bool last, const Place& place,
+/// The value that one step leads to. Where the key is not there yet, it is made if it may be.
+ValueTree* follow(ValueTree& from, const Step& step, const std::string& path, bool may_make, const Place& place,
                   std::string& problem) {
     if (const auto* index = std::get_if<std::size_t>(&step)) {
         if (from.shape == ValueTree::Shape::list && *index < from.items.size()) return &from.items[*index];
@@ -55,7 +55,7 @@ ValueTree* follow(ValueTree& from, const Step& step, const std::string& path, bo
         return nullptr;
     }
     if (ValueTree* found = from.find(key)) return found;
-    if (last) {
+    if (may_make) {
         from.entries.push_back({key, place, {}});
         return &from.entries.back().value;
     }
@@ -64,7 +64,7 @@ ValueTree* follow(ValueTree& from, const Step& step, const std::string& path, bo
 }
 
 void apply(const Override& override, ValueTree& scene, Complaints& complaints) {
-    const Place place{"--set " + override.key, 0, 0};
+    const Place place{override.given, 0, 0};
     const std::vector<Step> steps = steps_of(override.key);
     if (steps.empty()) {
         complaints.add(place, "", "found a malformed key, wanted one such as effects[0].rupture_force");
@@ -76,7 +76,8 @@ void apply(const Override& override, ValueTree& scene, Complaints& complaints) {
     std::string path;
     for (std::size_t i = 0; i < steps.size(); ++i) {
         std::string problem;
-        at = follow(*at, steps[i], path, i + 1 == steps.size(), place, problem);
+        if (override.makes_way && at->shape == ValueTree::Shape::nothing) *at = ValueTree(ValueTree::Shape::map, place);
+        at = follow(*at, steps[i], path, override.makes_way || i + 1 == steps.size(), place, problem);
         if (at == nullptr) {
             complaints.add(place, "", problem);
             return;

@@ -24,7 +24,7 @@ std::span<const Parameter> declarations(const PluginLibrary& library) {
 
 /// The plugin that the map's `type` names, its parameters still to be read; an empty `type` where it names none.
 Choice read_type(const ValueTree& map, const std::string& path, Role role, Reading& reading) {
-    Choice choice{.type = "", .path = path, .place = map.place, .parameters = {}};
+    Choice choice{.type = "", .path = path, .place = map.place, .parameters = {}, .alternatives = {}};
     const std::string wanted = std::string("the name of ") + with_article(role);
     const ValueTree* type = map.find("type");
     if (type == nullptr) {
@@ -53,19 +53,20 @@ Parameters read_own_map(const ValueTree& map, const std::string& path, const Plu
     return parameters;
 }
 
-void check_other_map(const ValueTree::Entry& entry, const std::string& path, Role role, const std::vector<std::string>& known,
+/// True of the map of a plugin of the role.
+bool check_other_map(const ValueTree::Entry& entry, const std::string& path, Role role, const std::vector<std::string>& known,
                      Reading& reading) {
     if (!reading.folders.find(entry.key)) {
         std::vector<std::string> candidates = known;
         std::ranges::copy(reading.folders.names(), std::back_inserter(candidates));
         const std::string wanted = "one of " + list_of(known) + ", or a map named after " + with_article(role);
         refuse_unknown_key(entry, path, wanted, candidates, reading);
-        return;
+        return false;
     }
     const std::string own_path = join(path, entry.key);
-    if (const auto library = open_plugin(entry.key, role, entry.place, own_path, reading)) {
-        read_own_map(entry.value, own_path, *library, reading);
-    }
+    const auto library = open_plugin(entry.key, role, entry.place, own_path, reading);
+    if (library) read_own_map(entry.value, own_path, *library, reading);
+    return library.has_value();
 }
 
 /// Parameters beside the `type`.
@@ -83,11 +84,10 @@ void read_within(const ValueTree& map, const PluginLibrary& library, Choice& cho
     choice.parameters = read_own_map(own == nullptr ? nothing_given : *own, join(choice.path, choice.type), library, reading);
 }
 
-void check_other_maps(const ValueTree& map, const Choice& choice, Role role, const std::vector<std::string>& known,
-                      Reading& reading) {
+void check_other_maps(const ValueTree& map, Role role, const std::vector<std::string>& known, Choice& choice, Reading& reading) {
     for (const ValueTree::Entry& entry : map.entries) {
         const bool other = entry.key != choice.type && std::ranges::find(known, entry.key) == known.end();
-        if (other) check_other_map(entry, choice.path, role, known, reading);
+        if (other && check_other_map(entry, choice.path, role, known, reading)) choice.alternatives.push_back(entry.key);
     }
 }
 
@@ -97,7 +97,7 @@ Choice read_choice(const ValueTree& map, const std::string& path, const Section&
     const Role role = section.role.value();
     Choice choice = read_type(map, path, role, reading);
     const std::vector<std::string> known = own_keys(section);
-    if (section.swappable) check_other_maps(map, choice, role, known, reading);
+    if (section.swappable) check_other_maps(map, role, known, choice, reading);
     if (choice.type.empty()) return choice;
     const auto library = open_plugin(choice.type, role, choice.place, join(path, "type"), reading);
     if (!library) return choice;

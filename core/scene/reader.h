@@ -25,6 +25,8 @@ private:
 struct Override {
     std::string key;
     std::string value;
+    std::string given = "--set " + key;    // by the user, as errors name it
+    bool makes_way = false;                // maps on the way to the key that the scene leaves out are made
 };
 
 /// Reads and checks a scene against the declarations of the plugins it names. Throws SceneErrors.

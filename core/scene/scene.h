@@ -25,6 +25,7 @@ struct Choice {
     std::string path;    // in the scene, for instance effects[1]
     Place place;         // of its `type`
     Parameters parameters;
+    std::vector<std::string> alternatives{};    // other plugins of the role that a swappable section holds maps for
 };
 
 struct RunSetup {
@@ -44,6 +45,7 @@ struct Scene {
     std::optional<TissueSetup> tissue_setup;
     std::optional<Choice> needle;
     std::optional<NeedleSetup> needle_setup;
+    std::string gauge;    // of the needle, as the scene names it; empty where it gives radii
     std::optional<Choice> buckling;
     std::vector<Choice> effects;
     std::optional<Choice> device;

@@ -35,8 +35,8 @@ TEST(Overrides, TheLastOneOfAKeyCounts) {
 TEST(Overrides, AreCheckedAsTheSceneIs) {
     const Messages expected{
         "--set needle.radius: found '1' without a unit, wanted a length in m such as '25 mm' (needle radius)",
-        "--set needle.lenth: found an unknown key, wanted one of type, length, radius, youngs_modulus, ends, buckling, "
-        "or a map named after a needle; did you mean 'length'?"};
+        "--set needle.lenth: found an unknown key, wanted one of type, length, gauge, radius, inner_radius, youngs_modulus, "
+        "ends, buckling, or a map named after a needle; did you mean 'length'?"};
     Messages found = complaints({{"needle.radius", "1"}, {"needle.lenth", "1 m"}});
     std::ranges::sort(found, std::greater());
     EXPECT_EQ(found, expected);
@@ -50,6 +50,18 @@ TEST(Overrides, MayNotLeaveATypeEmpty) {
 TEST(Overrides, SayWhichParentIsNotThere) {
     const Messages expected{"--set nedle.radius: found no key 'nedle' in the scene; did you mean 'needle'?"};
     EXPECT_EQ(complaints({{"nedle.radius", "1 mm"}}), expected);
+}
+
+TEST(Overrides, MayMakeTheMapsOnTheirWay) {
+    const Scene scene = good({{"needle.buckling.strut.strength", "3 kPa", "--model strut", true},
+                              {"needle.buckling.type", "strut", "--model strut", true}});
+    EXPECT_DOUBLE_EQ(scene.buckling->parameters.number("strength"), 3000.0);
+}
+
+TEST(Overrides, AreNamedAsTheUserGaveThem) {
+    const Messages expected{"--model strutt: needle.buckling.type: found no plugin 'strutt' in " GOOD_PLUGINS
+                            "; did you mean 'strut'?"};
+    EXPECT_EQ(complaints({{"needle.buckling.type", "strutt", "--model strutt", true}}), expected);
 }
 
 TEST(Overrides, SayHowLongAListIs) {

@@ -24,8 +24,8 @@ TEST(PluginFolders, NeverLeaveTheFolder) {
 
 TEST(PluginFolders, ListTheNamesOfAllLibraries) {
     const std::vector<std::string> names = PluginFolders({GOOD_PLUGINS, "/nowhere"}).names();
-    const std::vector<std::string> expected{"beam_column", "euler",   "fracture",      "friction",
-                                            "half_space",  "lattice", "recorded_hand", "throwing"};
+    const std::vector<std::string> expected{"beam_column", "euler",         "fracture", "friction", "half_space",
+                                            "lattice",     "recorded_hand", "strut",    "throwing"};
     EXPECT_EQ(names, expected);
 }
 

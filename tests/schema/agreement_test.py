@@ -20,7 +20,7 @@ tissue:
 needle:
   type: beam_column
   length: {length}
-  radius: 1 mm
+  {radii}
   youngs_modulus: 200 GPa
   ends: clamped-free
   buckling: {buckling}
@@ -42,6 +42,7 @@ GOOD = {
     "layers": "[{name: gel, youngs_modulus: 25 kPa, poisson_ratio: 0.4}]",
     "tissue_map": "half_space: {}",
     "length": "200 mm",
+    "radii": "radius: 1 mm",
     "buckling": "{type: euler}",
     "effects": "[{type: friction, per_length: 5 N/m}]",
     "file": "hand.csv",
@@ -57,6 +58,14 @@ def with_damping(value):
 
 def with_cells(value):
     return f"lattice: {{cells: {value}}}"
+
+
+def with_bore(value):
+    return f"radius: 1 mm\n  inner_radius: {value}"
+
+
+def with_strut(value):
+    return f"{{type: strut, strut: {value}}}"
 
 
 def with_poisson_ratio(value):
@@ -86,6 +95,10 @@ SOUND = [
     ("record", str, ["[time]", "[ledger, ledger, depth]", "[\"depth\"]"]),
     ("effects", str, ["[]", "[{type: friction, per_length: 1 N/m}, {type: fracture, rupture_force: 1 N, toughness: 1 J/m^2}]"]),
     ("tissue_map", str, ["half_space: {}", "lattice: {cells: [1, 2, 3]}", "# nothing"]),
+    ("radii", str, ["gauge: 22G", "gauge: '7G'", "radius: 0.1 mm"]),
+    ("radii", with_bore, ["0.5 mm", "999 um"]),
+    ("buckling", str, ["{type: euler, euler: {}}", "{type: euler, strut: {strength: 1 Pa}}"]),
+    ("buckling", with_strut, ["{strength: 1 Pa}", "{strength: 1 kPa, form: printed}"]),
 ]
 
 # Both refuse these.
@@ -108,6 +121,11 @@ WRONG = [
                       "[{type: friction}]", "[{type: friction, per_length: 5 N/m, layr: a}]", "[{type: friction, per_length: 5}]",
                       "[{type: fracture, rupture_force: 1 N, toughness: 1 J/m^2, per_length: 1 N/m}]"]),
     ("buckling", str, ["~", "euler", "{}", "[]", "{type: euler, ends: 1}", "{type: friction}", "{type: ~}"]),
+    ("radii", str, ["# none", "gauge: 22", "gauge: 6G", "gauge: 22g", "gauge: ~", "gauge: [22G]", "radius: ~", "gauge: 22G\n  radius: 1 mm",
+                    "gauge: 22G\n  inner_radius: 1 mm", "inner_radius: 0.1 mm"]),
+    ("radii", with_bore, ["0 mm", "-1 mm", "0.5", "~"]),
+    ("buckling", str, ["{type: strut}", "{type: strut, strength: 1 Pa}", "{type: euler, friction: {per_length: 1 N/m}}", "{type: euler, strutt: {}}"]),
+    ("buckling", with_strut, ["{}", "{strength: 1}", "{strength: 1 Pa, form: prined}", "~", "[]"]),
     ("tissue_map", str, ["half_space: ~", "half_space: []", "half_space: {cells: 1}", "lattice: {}", "friction: {}", "beam_column: {}",
                          "lattise: {}", "type_: lattice"]),
 ]
@@ -119,6 +137,8 @@ UNSEEN = [
     ("motion", with_times, ["3.0", "1e2", "+3", "0x3", "0o3"]),
     ("file", str, ["nowhere.csv", "../../../../../../../../../etc/hostname"]),
     ("version", str, ["1.0", "+1", "0x1"]),
+    ("radii", with_bore, ["1 mm", "2 mm"]),
+    ("radii", str, ["radius: 300 mm"]),
 ]
 
 # Only the schema refuses these: a number in quotes, and a zero with a minus.

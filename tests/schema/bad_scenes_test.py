@@ -23,6 +23,8 @@ UNSEEN = {
     "unknown_unit": "only UDUNITS-2 knows what is a unit",
     "wrong_unit": "only UDUNITS-2 knows the dimension of a unit",
     "thick_needle": "compares two values: radius and length",
+    "short_for_its_gauge": "compares two values: the gauge's radius and the length",
+    "tube_without_wall": "compares two values: inner_radius and radius",
     "layers_alike": "compares items of a list: the names; only the last may leave its thickness out",
     "layers_too_thick": "adds up items of a list and compares the sum with the extent",
     "layers_leave_a_gap": "adds up items of a list and compares the sum with the extent",

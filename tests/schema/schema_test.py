@@ -57,10 +57,10 @@ class Schema(unittest.TestCase):
                 self.assertEqual(parameter["required"], parameter["name"] in definition["required"])
 
     def test_says_unit_range_and_need_of_a_quantity(self):
-        radius = self.schema["properties"]["needle"]["properties"]["radius"]
-        for words in ("needle radius", "required", "a length in m such as '25 mm'", "more than 0 m", "stylet check"):
-            self.assertIn(words, radius["description"])
-        self.assertRegex(radius["examples"][0], radius["pattern"])
+        length = self.schema["properties"]["needle"]["properties"]["length"]
+        for words in ("needle length", "required", "a length in m such as '25 mm'", "more than 0 m", "stylet check"):
+            self.assertIn(words, length["description"])
+        self.assertRegex(length["examples"][0], length["pattern"])
 
     def test_shows_examples_that_it_takes(self):
         for path, schema in subschemas(self.schema):
@@ -85,6 +85,16 @@ class Schema(unittest.TestCase):
             self.assertNotEqual(bench.complaints(bench.read(bad), editor), [], mistake)
         needs_its_map = good.replace("type: half_space", "type: lattice").replace("  lattice: {cells: [15, 15, 15]}\n", "")
         self.assertEqual(bench.complaints(bench.read(needs_its_map), editor), ["tissue: 'lattice' is a required property"])
+
+    def test_asks_for_a_radius_or_a_gauge(self):
+        good = (bench.SOURCE / "tests/loading/good.yaml").read_text()
+        editor = bench.editor(*bench.TEST_PLUGINS)
+        for sound, radii in ((True, "gauge: 22G"), (True, "radius: 1 mm"), (True, "radius: 1 mm, inner_radius: 0.5 mm"), (False, "ends: pinned-pinned"),
+                             (False, "gauge: 22G, radius: 1 mm"), (False, "gauge: 22G, inner_radius: 1 mm"), (False, "inner_radius: 1 mm")):
+            scene = bench.read(good)
+            del scene["needle"]["radius"]
+            scene["needle"].update(bench.read(f"{{{radii}}}"))
+            self.assertEqual(bench.complaints(scene, editor) == [], sound, radii)
 
     def test_is_found_by_the_first_line_of_a_scene(self):
         with tempfile.TemporaryDirectory() as name:
