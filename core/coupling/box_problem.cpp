@@ -10,6 +10,7 @@ namespace {
 // After this many sets whose number of wrong rows did not shrink, rows change one at a time.
 constexpr int patience = 4;
 constexpr int most_sets = 2000;
+constexpr int most_indefinite_sets = 50;    // no theorem says that one is found
 // A force this far outside its box, relative to the box's scale, is rounding: it must not start another set.
 constexpr double rounding = 1e-12;
 
@@ -40,6 +41,7 @@ bool BoxProblem::solve_free(const Eigen::Ref<const MatrixX>& s, const Eigen::Ref
         v_.head(j) += lambda[j] * s.row(j).head(j).transpose();
     }
     const auto count = static_cast<int>(free_rows_.size());
+    free_negatives_ = 0;
     if (count == 0) return true;
     auto system = system_.topLeftCorner(count, count);
     auto right = right_.head(count);
@@ -49,7 +51,8 @@ bool BoxProblem::solve_free(const Eigen::Ref<const MatrixX>& s, const Eigen::Ref
         for (int j = 0; j <= i; ++j) system(i, j) = s(free_rows_[i], free_rows_[j]);
     }
     const PartialLdlt::Inertia inertia = inner_.eliminate(system, count);
-    if (inertia.singular || inertia.negatives > 0) return false;
+    if (inertia.singular) return false;
+    free_negatives_ = inertia.negatives;
     inner_.reduce(system, right);
     inner_.substitute(system, right, unknown);
     for (int i = 0; i < count; ++i) {
@@ -92,12 +95,13 @@ bool BoxProblem::find_set(const Eigen::Ref<const MatrixX>& s, const Eigen::Ref<c
         if (lower[i] == upper[i] || (places_[i] == Place::upper && std::isinf(upper[i]))) places_[i] = Place::lower;
         if (places_[i] == Place::lower && std::isinf(lower[i])) places_[i] = Place::free;
     }
-    int fewest = n + 1, patience_left = patience;
-    for (sets = 1; sets <= most_sets; ++sets) {
+    int fewest = n + 1, patience_left = patience, most = most_sets;
+    for (sets = 1; sets <= most; ++sets) {
         for (int i = 0; i < n; ++i) {
             if (places_[i] != Place::free) lambda[i] = places_[i] == Place::lower ? lower[i] : upper[i];
         }
         if (!solve_free(s, b, lambda)) return false;
+        if (free_negatives_ > 0) most = most_indefinite_sets;
         const double slack = rounding * s.diagonal().cwiseAbs().maxCoeff() * lambda.cwiseAbs().sum();
         const int wrong = judge(lower, upper, lambda, slack);
         if (wrong == 0) return true;
@@ -126,6 +130,8 @@ BoxProblem::Outcome BoxProblem::solve(Eigen::Ref<MatrixX> a, Eigen::Ref<VectorX>
     outcome.solved = find_set(a.bottomRightCorner(boxed, boxed), b.tail(boxed), lower.tail(boxed), upper.tail(boxed),
                               lambda.tail(boxed), outcome.sets);
     if (!outcome.solved) return outcome;
+    if (boxed > 0) outcome.negatives += free_negatives_;
+    outcome.convex = boxed == 0 || free_negatives_ == 0;
     bilateral_.substitute(a, b, lambda);
     outcome.solved = lambda.allFinite() && v_.head(boxed).allFinite();    // NaN compares as if every row were in its place
     return outcome;

@@ -12,18 +12,20 @@ namespace stylet::core {
 ///
 ///     v = A λ + b,    λ = lower and v ≥ 0,   or   lower < λ < upper and v = 0,   or   λ = upper and v ≤ 0
 ///
-/// for the last rows, and v = 0 with λ unbounded for the first `bilateral` rows. A is symmetric; its bilateral block may be
-/// indefinite, what is left when that is eliminated must be positive definite. The bilateral rows go first (PartialLdlt), the
-/// rest is solved exactly by an active set that starts from the last one: principal pivoting on all wrong rows at once (Júdice
-/// and Pires 1994 with two bounds), or on the last wrong one alone (Murty 1974) where that doesn't shrink their number, which
-/// always ends. The answer is that of a linear system, so it doesn't depend on how many sets were tried.
+/// for the last rows, and v = 0 with λ unbounded for the first `bilateral` rows. A is symmetric and may be indefinite. The
+/// bilateral rows go first (PartialLdlt), the rest is solved exactly by an active set that starts from the last one: principal
+/// pivoting on all wrong rows at once (Júdice and Pires 1994 with two bounds), or on the last wrong one alone (Murty 1974) where
+/// that doesn't shrink their number. That always ends where what is left of A is positive definite; where a needle is past its
+/// limit load it is not, and after some sets nothing is found. The answer is that of a linear system, so it doesn't depend on how
+/// many sets were tried.
 class BoxProblem {
 public:
     explicit BoxProblem(int max_rows);
 
     struct Outcome {
-        int negatives = 0;      // of the bilateral block
-        bool solved = false;    // false: singular, not positive definite, or no set found
+        int negatives = 0;      // of the rows that are not at a bound
+        bool convex = true;     // none of them is the boxed rows'
+        bool solved = false;    // false: singular, or no set found
         int sets = 0;           // active sets tried
     };
 
@@ -47,8 +49,9 @@ private:
     std::vector<Place> places_;
     std::vector<Place> wanted_;
     std::vector<int> free_rows_;
-    MatrixX system_;    // of the free rows
-    VectorX right_;     // b + S λ_bounded, then reduced
+    int free_negatives_ = 0;    // of the free rows' block, the bilateral rows eliminated
+    MatrixX system_;            // of the free rows
+    VectorX right_;             // b + S λ_bounded, then reduced
     VectorX unknown_;
     VectorX v_;    // A λ + b of the box rows
 };

@@ -22,8 +22,9 @@ struct CouplingReport {
 ///
 /// Lateral rows are bilateral (v = 0), axial rows stick inside their box and slip at its sides (BoxProblem). Both bodies are
 /// linearised about their trial state, solved, stepped, and linearised again until no force is out of balance by more than
-/// `tolerance`. The branch is checked by inertia: the bilateral block must have as many negative pivots as the bodies report
-/// (Haynsworth 1968); while it has not, the bodies are linearised with a growing shift τ M.
+/// `tolerance`. The branch is checked by inertia: the block of the rows that hold (lateral ones, and axial ones inside their box)
+/// must have as many negative pivots as the bodies report (Haynsworth 1968); while it has not, the bodies are linearised with a
+/// growing shift τ M.
 ///
 /// Two configurational forces act along the needle whatever its motion, both taken from the step's start, because a step changes
 /// them little. The mouth of the track pushes a bowed needle out (NeedleModel::entry_force). And a tip that is pressed sideways
@@ -34,7 +35,7 @@ struct CouplingReport {
 class Coupling {
 public:
     static constexpr double tolerance = 1e-9;         // [N]
-    static constexpr int most_linearisations = 12;    // Newton needs 2, a change of branch a few more
+    static constexpr int most_linearisations = 16;    // Newton needs 2, a change of branch a few more
 
     Coupling();
 

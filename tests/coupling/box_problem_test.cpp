@@ -277,13 +277,16 @@ TEST(BoxProblem, RefusesASingularBilateralBlock) {
     EXPECT_FALSE(solve(box, problem).outcome.solved);
 }
 
-TEST(BoxProblem, RefusesBoxRowsThatAreNotConvex) {
+TEST(BoxProblem, SaysThatBoxRowsAreNotConvex) {
     Draw draw(20);
     BoxProblem box(most_rows);
     Problem problem = draw_problem(draw, 4, 1, draw.symmetric(3, 1));
     problem.lower.tail(3).setConstant(-infinity);
     problem.upper.tail(3).setConstant(infinity);
-    EXPECT_FALSE(solve(box, problem).outcome.solved);
+    const auto answer = solve(box, problem);
+    EXPECT_TRUE(answer.outcome.solved);
+    EXPECT_FALSE(answer.outcome.convex);
+    EXPECT_EQ(answer.outcome.negatives, 1 + 1);    // the bilateral rows' and the box's
 }
 
 TEST(BoxProblem, RefusesWhatIsNotFinite) {

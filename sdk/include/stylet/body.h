@@ -57,7 +57,7 @@ struct EnergyReport {
 class Body : public Object {
 public:
     /// About the latest trial state; repeatable, commits nothing. `shift` τ ≥ 0 [1/s²] is added to the tangent as τM by a body
-    /// with inertia until the step's branch is stable; a body without inertia ignores it.
+    /// with inertia until the step's branch is stable; one without may add anything definite of its own that grows with τ dt².
     [[nodiscard]] virtual Linearisation linearise(ContactPoints points, double shift) = 0;
 
     /// Takes these forces on this body's contact points as the new trial state.
