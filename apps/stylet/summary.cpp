@@ -68,8 +68,9 @@ std::string findings_text(const core::RunReport& report) {
         if (report.buckling.empty()) table.add({"buckled", "never"});
     }
     for (const core::BucklingReport& buckling : report.buckling) {
-        table.add({"buckled", fmt::format("at {} (critical load {}), after {}", newtons(buckling.force),
-                                          newtons(buckling.critical_load), seconds(buckling.time))});
+        const std::string by_formula =    // a needle that needs no formula has none
+            std::isfinite(buckling.critical_load) ? fmt::format(" (critical load {})", newtons(buckling.critical_load)) : "";
+        table.add({"buckled", fmt::format("at {}{}, after {}", newtons(buckling.force), by_formula, seconds(buckling.time))});
     }
     if (report.has_needle) table.add({"largest bow", millimetres(report.largest_deflection)});
     for (const core::LoadedPatch& loaded : report.loads.patches) {
