@@ -2,34 +2,35 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace stylet::winkler {
 namespace {
 
-/// Bound of the critical load of any column that has this piece, of length d at most.
-double bound(double d, double kappa) {
+/// Of any column with a piece of length d on κ.
+double bound_of_piece(double d, double kappa) {
     constexpr double four_pi_squared = 4.0 * std::numbers::pi * std::numbers::pi;
     const double best = kappa > 0.0 ? std::sqrt(four_pi_squared / std::sqrt(3.0 * kappa)) : d;    // least bound of all lengths
     const double d_squared = std::min(d, best) * std::min(d, best);
     return four_pi_squared / d_squared + 3.0 * kappa * d_squared / four_pi_squared;
 }
 
-double bound(const Pieces& pieces) {
+}    // namespace
+
+double bound_of_load(const Pieces& pieces) {
     double least = std::numeric_limits<double>::infinity(), stiffest = 0.0, begin = 0.0;
     for (std::size_t i = 0; i < pieces.size; ++i) {
         const auto [end, kappa] = pieces.of[i];
-        least = std::min(least, bound(end - begin, kappa));
+        least = std::min(least, bound_of_piece(end - begin, kappa));
         stiffest = std::max(stiffest, kappa);
         begin = end;
     }
-    return std::min(least, bound(1.0, stiffest));
+    return std::min(least, bound_of_piece(1.0, stiffest));
 }
 
-}    // namespace
-
-void share_out(const Pieces& pieces, int elements, Nodes& nodes) {
-    const double of_load = std::sqrt(bound(pieces));
+void share_out(const Pieces& pieces, double bound, int elements, Nodes& nodes) {
+    const double of_load = std::sqrt(bound);
     std::array<double, max_pieces> density;    // wave number
     double total = 0.0, begin = 0.0;
     for (std::size_t i = 0; i < pieces.size; ++i) {

@@ -23,13 +23,15 @@ struct Pieces {
 /// Ends of elements, from 0 to 1.
 using Nodes = std::array<double, max_elements + 1>;
 
-/// Shares `elements` out so that each spans about the same part of a wave: where the foundation is κ and the load p, the
-/// deflection consists of waves and exponentials with wave numbers up to max(√p, κ^¼). For p stands the bound of the critical
-/// load that a shape in one piece alone gives, w = 1 − cos 2πx/d with the d that suits it best:
+/// An upper bound of the critical load, whatever the ends: the load of a shape in one piece alone, or of one in the whole column
+/// on its stiffest piece, w = 1 − cos 2πx/d with the d that suits it best.
 ///
 ///     p ≤ 4π²/d² + 3κd²/4π²
-///
-/// The nodes move continuously with the pieces, so the load does too; a piece may end anywhere inside an element.
-void share_out(const Pieces& pieces, int elements, Nodes& nodes);
+[[nodiscard]] double bound_of_load(const Pieces& pieces);
+
+/// Shares `elements` out so that each spans about the same part of a wave: where the foundation is κ, a load p bends the column
+/// in waves and exponentials of wave numbers up to max(√p, κ^¼); for p stands its `bound`. The nodes move continuously with the
+/// pieces, so the load does too; a piece may end anywhere inside an element.
+void share_out(const Pieces& pieces, double bound, int elements, Nodes& nodes);
 
 }    // namespace stylet::winkler

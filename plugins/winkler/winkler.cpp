@@ -7,7 +7,7 @@ namespace stylet::winkler {
 namespace {
 
 constexpr int usual_elements = 64;
-constexpr double tolerance = 1e-9;    // relative, of the eigenvalue: above rounding, far below what the elements leave
+constexpr double tolerance = 1e-7;    // relative, of the interval around the load; its upper end is far closer
 
 Pieces pieces_of(const FoundationPieces& foundation, double length, double bending_stiffness) {
     const double scale = length * length * length * length / bending_stiffness;    // [1/Pa]
@@ -55,15 +55,16 @@ Winkler::Winkler(const Setup& setup)
 double Winkler::critical_load(const Column& column) const {
     const double length = std::max(column.length(), column.radius);
     const Pieces pieces = pieces_of(foundation_.under(column), length, column.bending_stiffness);
+    const double bound = bound_of_load(pieces);
     Nodes nodes;
-    share_out(pieces, elements_, nodes);
+    share_out(pieces, bound, elements_, nodes);
 
     BandedPencil pencil(2 * (elements_ + 1));
     for (int e = 0; e < elements_; ++e)
         add_beam(pencil, e, nodes[static_cast<std::size_t>(e) + 1] - nodes[static_cast<std::size_t>(e)]);
     add_foundations(pencil, pieces, nodes, elements_);
     hold(pencil, column.ends, elements_);
-    return pencil.smallest_eigenvalue(tolerance) * column.bending_stiffness / (length * length);
+    return pencil.smallest_eigenvalue(bound, tolerance) * column.bending_stiffness / (length * length);
 }
 
 namespace {

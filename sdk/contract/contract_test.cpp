@@ -86,6 +86,8 @@ TEST(Contract, NoticesEveryFlawOfANeedle) {
 TEST(Contract, NoticesEveryFlawOfABucklingModel) {
     expect_each_noticed<FlawedBuckling>({
         {"not capped", "AnyLengthHasAFiniteLoad"},
+        {"divides by the depth", "AnyInsertionHasAFiniteLoad"},
+        {"tissue weakens", "TissueNeverWeakens"},
         {"longer is stronger", "ALongerColumnBearsLess"},
         {"stiffness ignored", "AStifferColumnBearsMore"},
         {"ends mixed up", "ATighterHoldBearsNoLess"},

@@ -239,6 +239,8 @@ public:
         const double stiffness = flaw_.is("stiffness ignored") ? 1.0 : column.bending_stiffness;
         const auto ends = static_cast<std::size_t>(column.ends);
         double load = factors[flaw_.is("ends mixed up") ? 3 - ends : ends] * stiffness / (length * length);
+        if (flaw_.is("divides by the depth")) load *= column.depth / column.inserted;
+        if (flaw_.is("tissue weakens") && column.inserted > 0.0) load *= std::pow(length / column.length(), 3);
         if (flaw_.is("longer is stronger")) load = stiffness * (1.0 + length);
         if (flaw_.is("remembers")) load += std::exchange(last_, load);
         return load;

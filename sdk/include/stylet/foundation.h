@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,10 @@ namespace stylet {
 
 /// To be declared by every plugin that makes a Foundation.
 inline constexpr Parameter foundation_modulus_parameter = optional(choice(
-    "foundation_modulus", "vesic disc_in_block given",
-    "where each layer's modulus as a Winkler foundation comes from: Vesic's beam on a surface; a disc in a block whose sides "
-    "are fixed, in plane strain; or the list `given`. Left out: only where the scene has no tissue"));
+    "foundation_modulus", "vesic disc_in_block disc_between_walls given",
+    "where each layer's modulus as a Winkler foundation comes from: Vesic's beam on a surface; a disc in plane strain in a block "
+    "whose four sides are fixed, or in a square one between two fixed sides, along which the needle buckles; or the list "
+    "`given`. Left out: only where the scene has no tissue"));
 
 /// The fields of the records `given`.
 inline constexpr Parameter given_modulus_fields[] = {
@@ -63,6 +65,68 @@ private:
     std::size_t size_ = 0;
 };
 
+namespace foundation_reader {
+
+inline std::string names(const TissueSetup& tissue) {
+    std::string names;
+    for (const Layer& layer : tissue.layers) names += (names.empty() ? "" : ", ") + layer.name;
+    return names;
+}
+
+inline std::size_t index_of(const std::string& name, const TissueSetup& tissue) {
+    for (std::size_t i = 0; i < tissue.layers.size(); ++i)
+        if (tissue.layers[i].name == name) return i;
+    throw Error("given", "found the layer \"" + name + "\", wanted the names of the tissue's layers: " + names(tissue));
+}
+
+/// The modulus of each layer [Pa], from the records `given`.
+inline std::vector<double> given_moduli(const Parameters& parameters, const TissueSetup& tissue) {
+    const std::string wanted = ", wanted every layer once: " + names(tissue);
+    if (!parameters.has("given")) throw Error("given", "found none beside `foundation_modulus: given`" + wanted);
+    constexpr double none = -1.0;
+    std::vector<double> moduli(tissue.layers.size(), none);
+    for (const Parameters& record : parameters.records("given")) {
+        const std::string& name = record.text("layer");
+        double& modulus = moduli[index_of(name, tissue)];
+        if (modulus != none) throw Error("given", "found the layer \"" + name + "\" twice" + wanted);
+        modulus = record.number("modulus");
+    }
+    for (std::size_t i = 0; i < moduli.size(); ++i)
+        if (moduli[i] == none) throw Error("given", "found no modulus of the layer \"" + tissue.layers[i].name + "\"" + wanted);
+    return moduli;
+}
+
+/// The radius that stands for the block's four sides [m], for each layer the same.
+inline std::vector<double> block_bounds(const TissueSetup& tissue) {
+    if (tissue.fixed == "bottom")
+        throw Error("foundation_modulus",
+                    "found disc_in_block for a block whose sides are free (`fixed: bottom`), which in plane strain hold nothing; "
+                    "wanted `fixed: sides` or `bottom_and_sides`, or else vesic or given");
+    return std::vector<double>(tissue.layers.size(), conformal_radius(tissue.extent.x(), tissue.extent.y()));
+}
+
+/// The radius that stands for two opposite sides [m], in each layer its own.
+inline std::vector<double> wall_bounds(const TissueSetup& tissue) {
+    constexpr double rounding = 1e-9;
+    const double side = tissue.extent.x(), other_side = tissue.extent.y();    // [m]
+    if (std::abs(side - other_side) > rounding * side) {
+        std::ostringstream message;
+        message << "found disc_between_walls for a block of " << side << " m by " << other_side
+                << " m, wanted a square one: it was calculated for no other";
+        throw Error("foundation_modulus", message.str());
+    }
+    std::vector<double> bounds;
+    for (const Layer& layer : tissue.layers) {
+        if (layer.poisson_ratio < 0.0)
+            throw Error("foundation_modulus", "found disc_between_walls and a Poisson ratio below zero in the layer \"" +
+                                                  layer.name + "\", wanted zero or more: it was calculated for no other");
+        bounds.push_back(radius_between_walls(0.5 * side, layer.poisson_ratio));
+    }
+    return bounds;
+}
+
+}    // namespace foundation_reader
+
 /// What the layers of a scene's tissue are to a column.
 class Foundation {
 public:
@@ -74,12 +138,13 @@ public:
             throw Error("foundation_modulus", "found a tissue of " + std::to_string(tissue_->layers.size()) +
                                                   " layers, wanted at most " + std::to_string(max_foundation_layers));
         if (!setup.parameters.has("foundation_modulus"))
-            throw Error(
-                "foundation_modulus",
-                "found none in a scene with a tissue, wanted vesic, disc_in_block or given: what the layers are to a needle");
+            throw Error("foundation_modulus",
+                        "found none in a scene with a tissue, wanted vesic, disc_in_block, disc_between_walls or given: what its "
+                        "layers are to a needle");
         const std::string& source = setup.parameters.text("foundation_modulus");
-        if (source == "given") read_given(setup.parameters);
-        if (source == "disc_in_block") set_bound();
+        if (source == "given") given_ = foundation_reader::given_moduli(setup.parameters, *tissue_);
+        if (source == "disc_in_block") bounds_ = foundation_reader::block_bounds(*tissue_);
+        if (source == "disc_between_walls") bounds_ = foundation_reader::wall_bounds(*tissue_);
     }
 
     /// From base to tip: air over the free length, then each layer as far as the needle crosses it (a slanting one crosses
@@ -87,70 +152,30 @@ public:
     [[nodiscard]] FoundationPieces under(const Column& column) const {
         FoundationPieces pieces;
         pieces.add(column.free_length, 0.0);
-        if (!(column.inserted > 0.0) || tissue_ == nullptr) {
-            pieces.add(column.inserted, 0.0);
-            return pieces;
-        }
-        const double way = column.depth > 0.0 ? column.inserted / column.depth : std::numeric_limits<double>::infinity();
         double left = column.inserted;    // [m]
-        for (std::size_t i = 0; i < tissue_->layers.size() && left > 0.0; ++i) {
-            const double crossed = std::min(left, way * tissue_->layers[i].thickness);
-            pieces.add(crossed, modulus(i, column));
-            left -= crossed;
+        if (tissue_ != nullptr && left > 0.0) {
+            const double way = column.depth > 0.0 ? left / column.depth : std::numeric_limits<double>::infinity();
+            for (std::size_t i = 0; i < tissue_->layers.size() && left > 0.0; ++i) {
+                const double crossed = std::min(left, way * tissue_->layers[i].thickness);
+                pieces.add(crossed, modulus(i, column));
+                left -= crossed;
+            }
         }
-        pieces.add(left, 0.0);
+        constexpr double rounding = 1e-12;    // a tip that just reaches the bottom is not in air
+        if (left > rounding * column.inserted) pieces.add(left, 0.0);
         return pieces;
     }
 
 private:
-    [[nodiscard]] double modulus(std::size_t layer, const Column& column) const {    // [Pa]
-        if (!given_.empty()) return given_[layer];
-        if (bound_ > 0.0) return disc_modulus(tissue_->layers[layer], column.radius, bound_);
-        return vesic_modulus(tissue_->layers[layer], column);
-    }
-
-    void read_given(const Parameters& parameters) {
-        if (!parameters.has("given"))
-            throw Error("given", "found none beside `foundation_modulus: given`, wanted the modulus of every layer: " + names());
-        given_.assign(tissue_->layers.size(), -1.0);
-        for (const Parameters& record : parameters.records("given")) {
-            double& modulus = given_[index_of(record.text("layer"))];
-            if (modulus >= 0.0)
-                throw Error("given",
-                            "found the layer \"" + record.text("layer") + "\" twice, wanted every layer once: " + names());
-            modulus = record.number("modulus");
-        }
-        for (std::size_t i = 0; i < given_.size(); ++i) {
-            if (given_[i] < 0.0)
-                throw Error("given", "found no modulus of the layer \"" + tissue_->layers[i].name +
-                                         "\", wanted every layer once: " + names());
-        }
-    }
-
-    [[nodiscard]] std::size_t index_of(const std::string& name) const {
-        for (std::size_t i = 0; i < tissue_->layers.size(); ++i)
-            if (tissue_->layers[i].name == name) return i;
-        throw Error("given", "found the layer \"" + name + "\", wanted the names of the tissue's layers: " + names());
-    }
-
-    [[nodiscard]] std::string names() const {
-        std::string names;
-        for (const Layer& layer : tissue_->layers) names += (names.empty() ? "" : ", ") + layer.name;
-        return names;
-    }
-
-    void set_bound() {
-        if (tissue_->fixed == "bottom")
-            throw Error(
-                "foundation_modulus",
-                "found disc_in_block for a block whose sides are free (`fixed: bottom`), which in plane strain hold nothing; "
-                "wanted `fixed: sides` or `bottom_and_sides`, or else vesic or given");
-        bound_ = conformal_radius(tissue_->extent.x(), tissue_->extent.y());
+    [[nodiscard]] double modulus(std::size_t i, const Column& column) const {    // [Pa] of layer i
+        if (!given_.empty()) return given_[i];
+        if (!bounds_.empty()) return disc_modulus(tissue_->layers[i], column.radius, bounds_[i]);
+        return vesic_modulus(tissue_->layers[i], column);
     }
 
     const TissueSetup* tissue_;
-    std::vector<double> given_;    // [Pa] of each layer; empty where it is calculated
-    double bound_ = 0.0;           // [m] radius that the sides stand for; zero where they do not matter
+    std::vector<double> given_;     // [Pa] of each layer, where the modulus is given
+    std::vector<double> bounds_;    // [m] of each layer, where a disc's is taken
 };
 
 }    // namespace stylet

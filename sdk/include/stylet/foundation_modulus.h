@@ -21,12 +21,14 @@ namespace stylet {
     return 0.65 * std::pow(ratio, 1.0 / 12.0) * layer.youngs_modulus / (1.0 - layer.poisson_ratio * layer.poisson_ratio);
 }
 
-/// The conformal radius about its centre of a rectangle of these sides [m]: 1.0787 half sides for a square, 4/π for a strip. A
-/// round bound of this radius holds a thin disc at the centre about as hard as the rectangle does.
+/// The conformal radius about its centre of a rectangle of these sides [m], for disc_modulus where all four are held: 1.0787 half
+/// sides for a square.
 ///
 ///     ln b = ln(4a/π) − 2 Σ (−1)ⁿ ln tanh(n π c/2a),   n = 1, 2, …         (a ≤ c half sides)
 ///
-/// Source: the Green's function of a strip, −ln|tanh(π z/4a)|, and its images in the two other sides.
+/// Source: the Green's function of a strip, −ln|tanh(π z/4a)|, and its images in the two other sides. Deviation: exact for a
+/// scalar, not for two components. Beside plane finite elements (disc of 0.06 a; ν = 0, 0.3, 0.45, 0.49) the modulus is within
+/// 0.8 % for a square; of a longer rectangle's weaker direction it is up to 10 % too stiff at 2 : 1 and up to 19 % beyond.
 [[nodiscard]] inline double conformal_radius(double side, double other_side) {
     const double a = 0.5 * std::min(side, other_side), c = 0.5 * std::max(side, other_side);
     double logarithm = std::log(4.0 * a / std::numbers::pi);
@@ -35,6 +37,18 @@ namespace stylet {
         logarithm += (n % 2 == 1 ? 2.0 : -2.0) * image;
     }
     return std::exp(logarithm);
+}
+
+/// The same where only two opposite sides of a square are held and the disc moves along them, as in Fig. 5 of He, Chen and Tang;
+/// `half_side` [m], ν ≥ 0.
+///
+///     ln(b/a) = (2.785 + 5.6 d² − 4 d³)/(3 − 4ν),   d = ½ − ν
+///
+/// Source: ours, fitted to plane finite elements (discs of 0.06 a and 0.03 a, ν from 0 to 0.499): the modulus is within 0.3 %,
+/// 0.90 E at ν = 0.3 and 0.91 E at 0.49 for a needle of 0.3 mm in a block of 10 mm.
+[[nodiscard]] inline double radius_between_walls(double half_side, double poisson_ratio) {
+    const double d = 0.5 - poisson_ratio;
+    return half_side * std::exp((2.785 + 5.6 * d * d - 4.0 * d * d * d) / (3.0 - 4.0 * poisson_ratio));
 }
 
 /// The force on a rigid round disc of radius r that is bonded into an elastic ring in plane strain, whose rim of radius b is
