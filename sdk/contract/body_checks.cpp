@@ -38,7 +38,8 @@ void compliance_is_symmetric(const Descriptor& plugin, const Case& with) {
 VectorX seen_places(const Rig& rig, const VectorX& forces) {
     if (rig.needle == nullptr) return rig.positions(forces);
     VectorX places(forces.size());
-    for (std::size_t i = 0; i < rig.points.size(); ++i) places.segment<3>(3 * i) = rig.needle->position(rig.points[i].arclength);
+    for (std::size_t i = 0; i < rig.points.size(); ++i)
+        places.segment<3>(3 * i) = rig.needle->held_position(rig.points[i].arclength);
     return places;
 }
 
