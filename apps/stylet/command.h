@@ -20,5 +20,6 @@ Command plugins_command(CLI::App& line);
 Command scenes_command(CLI::App& line);
 Command plot_command(CLI::App& line);
 Command schema_command(CLI::App& line);
+Command critical_load_command(CLI::App& line);
 
 }    // namespace stylet::app

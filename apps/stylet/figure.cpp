@@ -46,7 +46,7 @@ Curve curve_of(const Recording& recording, const std::string& x_name, const std:
     const double x_factor = shown(x).factor, y_factor = shown(y).factor;
     const auto at = [&](std::size_t row) { return Point{x.values[row] * x_factor, y.values[row] * y_factor}; };
 
-    Curve curve{recording.title, {}, {}};
+    Curve curve{.name = recording.title, .points = {}, .marks = {}};
     for (std::size_t row = 0; row < x.values.size(); ++row) {
         if (finite(at(row))) curve.points.push_back(at(row));
     }
@@ -73,22 +73,6 @@ void drop_shared_beginning(std::vector<Curve>& curves) {
     };
     if (!std::all_of(curves.begin(), curves.end(), has_it)) return;
     for (Curve& curve : curves) curve.name.erase(0, shared.size());
-}
-
-void set_ranges(Figure& figure) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Point least{infinity, 0.0}, greatest{-infinity, 0.0};    // the y axis always shows zero
-    for (const Curve& curve : figure.curves) {
-        for (const Point& point : curve.points) {
-            least = {std::min(least.x, point.x), std::min(least.y, point.y)};
-            greatest = {std::max(greatest.x, point.x), std::max(greatest.y, point.y)};
-        }
-    }
-    const double width = greatest.x > least.x ? greatest.x - least.x : 1.0;
-    const double height = greatest.y > least.y ? greatest.y - least.y : 1.0;
-    constexpr double side = 0.02, headroom = 0.10, below = 0.06;    // of the data's extent
-    figure.least = {least.x - side * width, least.y < 0.0 ? least.y - below * height : 0.0};
-    figure.greatest = {greatest.x + side * width, greatest.y + headroom * height};
 }
 
 /// A curve that comes back within less than a printer's dot needs no further points.
@@ -153,6 +137,22 @@ void share_labels(Figure& figure) {
 
 }    // namespace
 
+void fit_axes(Figure& figure) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Point least{infinity, 0.0}, greatest{-infinity, 0.0};    // the y axis always shows zero
+    for (const Curve& curve : figure.curves) {
+        for (const Point& point : curve.points) {
+            least = {std::min(least.x, point.x), std::min(least.y, point.y)};
+            greatest = {std::max(greatest.x, point.x), std::max(greatest.y, point.y)};
+        }
+    }
+    const double width = greatest.x > least.x ? greatest.x - least.x : 1.0;
+    const double height = greatest.y > least.y ? greatest.y - least.y : 1.0;
+    constexpr double side = 0.02, headroom = 0.10, below = 0.06;    // of the data's extent
+    figure.least = {least.x - side * width, least.y < 0.0 ? least.y - below * height : 0.0};
+    figure.greatest = {greatest.x + side * width, greatest.y + headroom * height};
+}
+
 Figure figure_of(const std::vector<Recording>& recordings, const std::string& x, const std::string& y) {
     Figure figure;
     figure.x_label = axis_label(recordings.front().column(x));
@@ -160,7 +160,7 @@ Figure figure_of(const std::vector<Recording>& recordings, const std::string& x,
     for (const Recording& recording : recordings) figure.curves.push_back(curve_of(recording, x, y));
     if (figure.curves.size() == 1) figure.title = figure.curves.front().name;
     drop_shared_beginning(figure.curves);
-    set_ranges(figure);
+    fit_axes(figure);
     for (Curve& curve : figure.curves) {
         thin(curve, figure);
         drop_repeated_names(curve);

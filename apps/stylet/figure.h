@@ -1,4 +1,4 @@
-// A picture of recordings: curves in readable units with their events, and where everything lies on the page.
+// A picture: curves in readable units, those of recordings with their events, and what the axes show.
 #pragma once
 
 #include "apps/stylet/recording_file.h"
@@ -22,6 +22,7 @@ struct Curve {
     std::string name;
     std::vector<Point> points;
     std::vector<Mark> marks;
+    bool dotted = false;    // drawn as separate points, over a line that they agree with
 };
 
 struct Figure {
@@ -31,6 +32,9 @@ struct Figure {
     Point least, greatest;    // what the axes show
     std::vector<Curve> curves;
 };
+
+/// Sets the ranges of the axes around all curves; the y axis always shows zero.
+void fit_axes(Figure& figure);
 
 /// One curve per recording, of column `y` over column `x`. Throws Failure where a recording lacks one of them or has no finite
 /// point.

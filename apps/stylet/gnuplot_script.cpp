@@ -25,6 +25,12 @@ const Style& style(std::size_t curve) {
     return styles[curve % styles.size()];
 }
 
+/// An open marker, so that what lies below shows; another for each curve.
+int marker(std::size_t curve) {
+    constexpr std::array open{6, 4, 8, 10, 12};    // gnuplot's circle, square, triangles, diamond
+    return open[curve % open.size()];
+}
+
 /// Single quotes keep gnuplot from expanding anything; only the quote itself must be doubled.
 std::string quoted(const std::string& text) {
     std::string result = "'";
@@ -105,10 +111,20 @@ private:
             screen({key.right, key.top}));
         for (std::size_t c = 0; c < figure_.curves.size(); ++c) {
             const double y = key.top + 3.0 + Page::key_line * (static_cast<double>(c) + 0.5);
-            add("set arrow from {} to {} nohead front lw 2 lc rgb '{}' dt {}", screen({key.left, y}),
-                screen({key.left + Page::key_sample - 8.0, y}), style(c).colour, style(c).dashes);
+            add_sample(c, key.left, key.left + Page::key_sample - 8.0, y);
             add("set label {} at {} left noenhanced front", quoted(figure_.curves[c].name),
                 screen({key.left + Page::key_sample, y}));
+        }
+    }
+
+    /// A piece of the curve for the key, between two pixels.
+    void add_sample(std::size_t c, double left, double right, double y) {
+        if (figure_.curves[c].dotted) {
+            add("set label '' at {} point pt {} ps 1 lw 1.5 lc rgb '{}' front", screen({(left + right) / 2.0, y}), marker(c),
+                style(c).colour);
+        } else {
+            add("set arrow from {} to {} nohead front lw 2 lc rgb '{}' dt {}", screen({left, y}), screen({right, y}),
+                style(c).colour, style(c).dashes);
         }
     }
 
@@ -127,8 +143,10 @@ private:
     void add_plot() {
         text_ += "plot ";
         for (std::size_t c = 0; c < figure_.curves.size(); ++c) {
-            fmt::format_to(std::back_inserter(text_), "{}$curve{} with lines lw 2 lc rgb '{}' dt {}", c == 0 ? "" : ", ", c,
-                           style(c).colour, style(c).dashes);
+            const std::string look = figure_.curves[c].dotted
+                                         ? fmt::format("points pt {} ps 1 lw 1.5 lc rgb '{}'", marker(c), style(c).colour)
+                                         : fmt::format("lines lw 2 lc rgb '{}' dt {}", style(c).colour, style(c).dashes);
+            fmt::format_to(std::back_inserter(text_), "{}$curve{} with {}", c == 0 ? "" : ", ", c, look);
         }
         for (std::size_t c = 0; c < figure_.curves.size(); ++c) {
             if (figure_.curves[c].marks.empty()) continue;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <string_view>
+#include <vector>
 
 namespace stylet::app {
 
@@ -44,8 +45,19 @@ std::string kind_text(const Parameter& parameter) {
     return fmt::format("{} ({})", name_of(parameter.kind), has_dimension(parameter) ? unit : "no unit");
 }
 
+namespace {
+
+/// "bottom | sides"; of a long list only its ends.
+std::string choices_text(const std::vector<std::string>& words) {
+    constexpr std::size_t longest = 12;
+    if (words.size() <= longest) return fmt::format("{}", fmt::join(words, " | "));
+    return fmt::format("{} | {} | … | {}", words[0], words[1], words.back());
+}
+
+}    // namespace
+
 std::string range_text(const Parameter& parameter) {
-    if (parameter.kind == Kind::choice) return fmt::format("{}", fmt::join(core::choices_of(parameter), " | "));
+    if (parameter.kind == Kind::choice) return choices_text(core::choices_of(parameter));
     if (!has_range(parameter.kind)) return "";
     const Range& range = parameter.range;
     const bool below = std::isfinite(range.least), above = std::isfinite(range.greatest);

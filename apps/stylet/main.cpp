@@ -21,6 +21,7 @@ constexpr const char* more =
   stylet scenes                               the prepared scenes
   stylet run scenes/paper/fig10a_l150.yaml    simulate one; its recording goes to out/
   stylet plot out/fig10a_l150.csv             draw force against depth
+  stylet critical-load scenes/paper/fig9.yaml tell at which force its needle buckles
   stylet plugins                              the models that a scene can name
 
 Exit codes:
@@ -63,8 +64,9 @@ int main_of(int argc, char** argv) {
     line.set_version_flag("--version", "stylet " STYLET_VERSION, "Show the version");
     line.set_help_flag("-h,--help", "Show this help");
     line.require_subcommand(0, 1);
-    const std::vector<Command> commands{run_command(line),    check_command(line), plugins_command(line),
-                                        scenes_command(line), plot_command(line),  schema_command(line)};
+    const std::vector<Command> commands{run_command(line),          check_command(line), plugins_command(line),
+                                        scenes_command(line),       plot_command(line),  schema_command(line),
+                                        critical_load_command(line)};
     try {
         line.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -76,8 +78,9 @@ int main_of(int argc, char** argv) {
         if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
         return complain("stylet: what was printed could not be written (is the disk full?)", ExitCode::missing);
     }
-    return complain("stylet: found no command, wanted run, check, plugins, scenes, plot or schema; stylet --help tells more",
-                    ExitCode::wrong_command);
+    return complain(
+        "stylet: found no command, wanted run, check, plugins, scenes, plot, schema or critical-load; stylet --help tells more",
+        ExitCode::wrong_command);
 }
 
 }    // namespace

@@ -41,7 +41,8 @@ std::vector<std::string> Complaints::messages() const {
         std::string message = place.file;
         if (place.line > 0) message += fmt::format(":{}:{}", place.line, place.column);
         // The place of an override already says its path.
-        if (!path.empty() && place.file != "--set " + path) message += ": " + shortened(path, longest);
+        const bool said = place.line == 0 && place.file.ends_with(" " + path);
+        if (!path.empty() && !said) message += ": " + shortened(path, longest);
         messages.push_back(printable(message + ": " + sentence));
     }
     return messages;

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/scene/reader.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace stylet::app {
+
+/// Gathers errors, each once: what is wrong with a scene may be met more than once.
+class GatheredErrors {
+public:
+    template <class Work>
+    void gather(Work&& work) {
+        try {
+            work();
+        } catch (const core::SceneErrors& errors) {
+            for (const std::string& message : errors.messages()) {
+                if (std::ranges::find(messages_, message) == messages_.end()) messages_.push_back(message);
+            }
+        }
+    }
+    void throw_if_any() const {
+        if (!messages_.empty()) throw core::SceneErrors(messages_);
+    }
+
+private:
+    std::vector<std::string> messages_;
+};
+
+}    // namespace stylet::app

@@ -1,0 +1,72 @@
+#include "apps/stylet/interval.h"
+
+#include "apps/stylet/failure.h"
+#include "core/scene/complaints.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+namespace stylet::app {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view space = " \t";
+    const auto begin = text.find_first_not_of(space);
+    if (begin == std::string_view::npos) return {};
+    return text.substr(begin, text.find_last_not_of(space) - begin + 1);
+}
+
+struct Value {
+    double number;
+    std::string unit;
+};
+
+Value read_value(const std::string& option, const std::string& whole, std::string_view text) {
+    const std::string_view rest = trimmed(text);
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
+    if (error != std::errc{} || !std::isfinite(number)) {
+        throw Failure(ExitCode::wrong_command,
+                      fmt::format("{}: found {}, wanted a quantity such as '30 mm' or an interval such as 0..50mm", option,
+                                  core::quote(whole)));
+    }
+    return {number, std::string(trimmed(rest.substr(static_cast<std::size_t>(end - rest.data()))))};
+}
+
+}    // namespace
+
+std::vector<double> Interval::values(int count) const {
+    if (one_value()) return {from};
+    std::vector<double> values;
+    for (int i = 0; i < count; ++i) values.push_back(std::lerp(from, to, static_cast<double>(i) / (count - 1)));
+    return values;
+}
+
+std::string Interval::quantity(double value) const {
+    return unit.empty() ? fmt::format("{}", value) : fmt::format("{} {}", value, unit);
+}
+
+Interval read_interval(const std::string& option, const std::string& text) {
+    constexpr std::string_view dots = "..";
+    const std::size_t at = text.find(dots);
+    if (at == std::string::npos) {
+        const Value only = read_value(option, text, text);
+        return {only.number, only.number, only.unit, text};
+    }
+    const Value from = read_value(option, text, std::string_view(text).substr(0, at));
+    const Value to = read_value(option, text, std::string_view(text).substr(at + dots.size()));
+    if (!from.unit.empty() && from.unit != to.unit) {
+        throw Failure(ExitCode::wrong_command,
+                      fmt::format("{}: found {}, wanted one unit for both ends, such as 0..50mm", option, core::quote(text)));
+    }
+    if (!(from.number < to.number)) {
+        throw Failure(ExitCode::wrong_command,
+                      fmt::format("{}: found {}, wanted the smaller end first", option, core::quote(text)));
+    }
+    return {from.number, to.number, to.unit, text};
+}
+
+}    // namespace stylet::app

@@ -1,0 +1,27 @@
+// What a user may give for one quantity: a value, or an interval of them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace stylet::app {
+
+/// "0..50mm" or "30 mm", the numbers as they are written.
+struct Interval {
+    double from, to;     // the same where it is one value
+    std::string unit;    // of both, as it is written; empty where there is none
+    std::string text;    // all of it, as it is written
+
+    [[nodiscard]] bool one_value() const { return from == to; }
+
+    /// `count` values, evenly spaced from end to end, both ends exact; one where there is only one.
+    [[nodiscard]] std::vector<double> values(int count) const;
+
+    /// "0.25 mm", as a scene may write it.
+    [[nodiscard]] std::string quantity(double value) const;
+};
+
+/// Throws Failure that names the `option` where the text is neither a value nor two that grow.
+[[nodiscard]] Interval read_interval(const std::string& option, const std::string& text);
+
+}    // namespace stylet::app

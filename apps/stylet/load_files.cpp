@@ -1,0 +1,110 @@
+#include "apps/stylet/load_advice.h"
+#include "apps/stylet/load_text.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <filesystem>
+
+namespace stylet::app {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// JSON has no infinity.
+ordered_json number(double value) {
+    return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+ordered_json number(const std::optional<double>& value) {
+    return value ? number(*value) : ordered_json(nullptr);
+}
+
+ordered_json numbers(const std::vector<double>& values) {
+    ordered_json json = ordered_json::array();
+    for (const double value : values) json.push_back(number(value));
+    return json;
+}
+
+ordered_json needle_json(const SceneLoads& scene) {
+    const NeedleSetup& needle = scene.needle;
+    return {{"length", needle.length},
+            {"radius", needle.radius},
+            {"inner_radius", needle.inner_radius},
+            {"gauge", scene.gauge.empty() ? ordered_json(nullptr) : ordered_json(scene.gauge)},
+            {"bending_stiffness", needle.bending_stiffness()}};
+}
+
+ordered_json curve_json(const LoadCurve& curve, const SceneLoads& scene, const CriticalLoads& loads) {
+    const LoadAdvice advice = advice_on(curve, scene, loads);
+    ordered_json json{{"model", curve.model},
+                      {"load", numbers(curve.loads)},
+                      {"stiffness", curve.stiffness.empty() ? ordered_json(nullptr) : numbers(curve.stiffness)},
+                      {"load_at_surface", number(curve.at_surface)},
+                      {"buckles_first", advice.buckles_first ? ordered_json(*advice.buckles_first) : ordered_json(nullptr)},
+                      {"crossings", numbers(advice.crossings)},
+                      {"least_load", number(advice.least)},
+                      {"least_at", number(advice.least_at)}};
+    if (scene.reference) json["deviation"] = number(curve.loads.front() / *scene.reference - 1.0);
+    return json;
+}
+
+/// A cell of CSV as RFC 4180 has it: in quotes where it holds what would end it.
+std::string cell(const std::string& text) {
+    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+}
+
+std::string with_unit(const std::string& name, const std::string& unit) {
+    return cell(unit.empty() ? name : fmt::format("{} [{}]", name, unit));
+}
+
+}    // namespace
+
+std::string loads_json(const CriticalLoads& loads) {
+    ordered_json scenes = ordered_json::array();
+    for (const SceneLoads& scene : loads.scenes) {
+        ordered_json curves = ordered_json::array();
+        for (const LoadCurve& curve : scene.curves) curves.push_back(curve_json(curve, scene, loads));
+        scenes.push_back({{"scene", scene.file},
+                          {"title", scene.title},
+                          {"hash", scene.hash},
+                          {"needle", loads.along_depth ? needle_json(scene) : ordered_json(nullptr)},
+                          {"reference", number(scene.reference)},
+                          {"axis", numbers(scene.points)},
+                          {"puncture_force", numbers(scene.puncture)},
+                          {"models", curves}});
+    }
+    const ordered_json json{{"axis", {{"name", loads.axis}, {"unit", loads.unit}}},
+                            {"depth", loads.along_depth ? ordered_json(nullptr) : number(loads.depth)},
+                            {"scenes", scenes}};
+    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string loads_csv(const CriticalLoads& loads) {
+    const std::vector<std::string> models = loads.models();
+    std::string text = "scene," + with_unit(loads.axis, loads.unit) + ",puncture [N]";
+    for (const std::string& model : models) {
+        text += "," + with_unit(model, "N");
+        if (!loads.scenes.front().curves.front().stiffness.empty()) text += "," + with_unit(model + " mu", "Pa");
+    }
+    text += "\n";
+    for (const SceneLoads& scene : loads.scenes) {
+        for (std::size_t i = 0; i < scene.points.size(); ++i) {
+            text += fmt::format("{},{},{}", cell(std::filesystem::path(scene.file).stem().string()), scene.points[i],
+                                scene.puncture[i]);
+            for (const std::string& model : models) {
+                const LoadCurve* const curve = scene.curve(model);
+                text += curve == nullptr ? "," : fmt::format(",{}", curve->loads[i]);
+                if (curve != nullptr && !curve->stiffness.empty()) text += fmt::format(",{}", curve->stiffness[i]);
+            }
+            text += "\n";
+        }
+    }
+    return text;
+}
+
+}    // namespace stylet::app
