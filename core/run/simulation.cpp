@@ -10,7 +10,8 @@ namespace stylet::core {
 
 namespace {
 
-constexpr int most_halvings = 6;
+constexpr int most_halvings = 6;             // of a hand that moves the tip too far
+constexpr int most_halvings_refused = 10;    // of a step that finds no equilibrium: a needle that a jump hits like a hammer
 // A rupture runs on at rest of the hand in pieces of at most one contact spacing, so that friction acts during the jump. A piece
 // whose books don't close to this part of the peak work (a bowed needle that snaps straight within it) is taken again at a
 // quarter.
@@ -140,7 +141,7 @@ bool Simulation::move_to(const Pose& target, double dt, int halvings) {
     if (!too_far && step(target, dt, spacing_)) {
         return run_on();
     }
-    if (halvings == most_halvings) return false;
+    if (halvings == most_halvings_refused) return false;
     return move_to(between(base_, target, 0.5), 0.5 * dt, halvings + 1) && move_to(target, 0.5 * dt, halvings + 1);
 }
 

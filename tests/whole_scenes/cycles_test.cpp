@@ -90,6 +90,10 @@ TEST(InAndOut, AThousandTimesLeavesAFlexibleNeedleWhereItWas) {
     expect_no_drift({{"needle.type", "beam_column"}, {"needle.buckling", "{type: euler}"}});
 }
 
+TEST(InAndOut, AThousandTimesLeavesARodWhereItWas) {
+    expect_no_drift({{"needle.type", "rod"}});
+}
+
 /// A needle that bows at 0.64 N and never gets in: nothing is lost, however often it bows.
 TEST(BowedAndStraightened, AThousandTimesLeavesTheNeedleWhereItWas) {
     Stage stage(own_scene("stroke"),
