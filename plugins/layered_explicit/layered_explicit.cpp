@@ -93,4 +93,13 @@ STYLET_PLUGIN(
         "Rayleigh and Ritz, for the equation that He, Chen and Tang leave to future work. A length below the needle's radius "
         "counts "
         "as the radius",
-    .validity = "Needles clamped at the base and free at the tip. An upper bound of what `winkler` gives")
+    .validity =
+        "Needles clamped at the base and free at the tip: held tips buckle in many waves, which a few terms are not. An upper "
+        "bound of "
+        "what `winkler` gives on the same foundation. With l (k/EI)^(1/4) of the stiffest layer up to 5, wherever it lies and "
+        "however "
+        "much is in air, two terms are within 5 % (median 0.7 %) and three within 1.4 %; at 6 within 19 and 2.6 %, at 7 within "
+        "43 and "
+        "5 %, at 8 within 85 and 9 %, at 10 they are up to 210 and 25 % too high. A needle of 0.3 mm and 50 mm reaches 5 at 127 "
+        "kPa, "
+        "one of 100 mm at 8 kPa")

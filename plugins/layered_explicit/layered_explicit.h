@@ -14,8 +14,10 @@ namespace stylet::layered_explicit {
 /// come in by exact integrals. With one piece, κ everywhere: A = diag(αᵢ²) + κ (2/αᵢαⱼ)(1 + δᵢⱼ/2 − sin αᵢ/αᵢ − sin αⱼ/αⱼ).
 ///
 /// Source: ours, for the equation that He, Chen and Tang leave to future work. An upper bound of the load of `winkler` with the
-/// same foundation, never below Euler's. A length below the needle's radius counts as the radius. Only for a needle that is
-/// clamped at its base and free at its tip: every column is taken for one.
+/// same foundation, never below Euler's. With l (k/EI)^¼ of the stiffest layer up to 5, two terms are within 5 % and three within
+/// 1.4 %; at 7 within 43 and 5 %; at 10 up to 210 and 25 % too high. A length below the needle's radius counts as the radius.
+/// Only for a needle that is clamped at its base and free at its tip, and every column is taken for one: held at its tip it
+/// buckles in many waves, which a few terms are not.
 class LayeredExplicit final : public BucklingModel {
 public:
     /// Throws Error where the scene's needle has other ends.

@@ -89,7 +89,10 @@ STYLET_PLUGIN(
         "Hetenyi 1946, Beams on Elastic Foundation; Przemieniecki 1968, Theory of Matrix Structural Analysis, for the elements. "
         "Deviation: a length below the needle's radius counts as the radius",
     .validity =
-        "Any ends, which are those of the whole needle, base and tip, however much of it is in tissue. Leaves out shortening, "
-        "shear, "
-        "own weight, imperfections, friction along the shaft, and that tissue in one place answers to what it suffers in the "
-        "next")
+        "Any ends, which are those of the whole needle, base and tip, however much of it is in tissue. 64 elements are within "
+        "1e-6 of "
+        "the converged load where d (k/EI)^(1/4), summed over the layers d thick, is up to 8, and within 1e-3 up to 50, always "
+        "above. "
+        "Leaves out shortening, shear, own weight, imperfections, friction along the shaft, and that tissue in one place answers "
+        "to "
+        "what it suffers in the next")
