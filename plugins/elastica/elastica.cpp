@@ -40,7 +40,8 @@ STYLET_PLUGIN(
     .validity =
         "Inextensible, elastic, in one plane. Clamped-pinned ends carry at most 1.1396 P_cr, at d = 0.454 L; beyond that the "
         "load "
-        "falls, to nothing at d = 0.812 L, where it stops; other ends stop where they are level, d = L. Named when passed: a "
+        "falls, to next to nothing at d = 0.812 L, where it stops; other ends stop where they are level, d = L. Named when "
+        "passed: a "
         "slope "
         "over 90 degrees where there is tissue, a bow that meets itself (clamped-clamped, d = 0.849 L), the stop. A free tip "
         "(clamped-free) goes "

@@ -13,7 +13,8 @@ namespace stylet::elastica {
 /// Pinned-pinned, clamped-free and clamped-clamped columns are made of the same quarters and share one load, f = (2K/π)² at
 /// η = 2 − 2E/K: it starts at 1 with slope 1/2 and is 2.183 where the two ends have come level (η = 1, α = 130.7°): there the
 /// column stops. That of a clamped-pinned column starts with slope 0.376 and is largest at η = 0.454: 1.1396, its limit load.
-/// From there it falls, ever faster, to nothing at η = 0.812: beyond, it would have to be pulled, so there it stops.
+/// From there it falls, ever faster, and stops at η = 0.812, where it is 0.001: hardly further on it would have to be pulled, but
+/// let go it springs open.
 class ElasticaCurve final : public ColumnCurve {
 public:
     explicit ElasticaCurve(Ends ends);
