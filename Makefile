@@ -1,5 +1,5 @@
 # The front door. CMakePresets.json holds the builds themselves.
-.PHONY: run test bench build deps clean
+.PHONY: run buckling test bench build deps clean
 .DEFAULT_GOAL := build
 
 stylet := build/release/bin/stylet
@@ -9,6 +9,15 @@ fig10a := fig10a_l150 fig10a_l200 fig10a_l300
 run: build
 	$(stylet) run $(fig10a:%=scenes/paper/%.yaml) --out out
 	$(stylet) plot $(fig10a:%=out/%.csv) --x travel --out out/fig10a
+
+# Figs. 3 and 4(b) and Tables 1 and 2 of the paper: critical loads by each model, as pictures and as one table.
+buckling: build
+	$(stylet) critical-load scenes/paper/fig3.yaml --vary needle.radius=0.1..1mm --plot out/fig3a
+	$(stylet) critical-load scenes/paper/fig3.yaml --vary needle.length=10..200mm --points 191 --plot out/fig3b
+	$(stylet) critical-load scenes/paper/fig4b.yaml --depth '50 mm' --vary 'tissue.layers[0].youngs_modulus=5..100kPa' --stiffness --plot out/fig4b
+	$(stylet) critical-load scenes/paper/table*.yaml --depth '50 mm' --reference scenes/paper/tables.csv \
+	  --model foundation,form=printed --model foundation,form=consistent --model winkler \
+	  --model layered_explicit,terms=2 --model layered_explicit,terms=3
 
 test: build
 	ctest --preset release

@@ -51,6 +51,7 @@ std::string change_inside(const LoadCurve& curve, const LoadAdvice& advice, cons
 /// Of a needle that goes in, from its tip on the surface on.
 std::string along_depth(const LoadCurve& curve, const LoadAdvice& advice, const SceneLoads& scene, const CriticalLoads& loads) {
     const std::string buckles = significant(*curve.at_surface, "N"), punctures = significant(scene.puncture.front(), "N");
+    if (std::ranges::none_of(curve.loads, [](double load) { return std::isfinite(load); })) return "the needle never buckles.";
     std::string text;
     if (!advice.buckles_first) {
         text = fmt::format("the needle buckles at {}{}.", buckles, scene.has_tissue ? ", its tip on the surface" : "");
