@@ -43,24 +43,12 @@ public:
     /// From the shape at hand, until a step moves no node by more than `close` [m]: what it would still move after that is its
     /// square. Forces tell less, for the last bit of a place stands for a force in all but unstretchable edges. False where it
     /// does not get there.
-    [[nodiscard]] bool solve(double close) {
-        constexpr int most_steps = 300;
-        constexpr double largest_turn = 0.3;    // [rad] of an edge in a step
-        for (int i = 0; i < most_steps; ++i) {
-            VectorX step = assemble();
-            add_held(step);
-            tangent_.factor();
-            tangent_.solve(step);
-            if (!step.allFinite()) return false;
-            const double part = std::min(1.0, largest_turn / turn(step));
-            step *= part;
-            for (int e = 0; e < chain.edges(); ++e) tensions_[e] = chain.tension(shape, e) + chain.tension_change(shape, step, e);
-            chain.move(step, shape);
-            if (part == 1.0 && farthest(step) <= close) return true;
-        }
-        return false;
-    }
+    [[nodiscard]] bool solve(double close) { return descend(close, false); }
     [[nodiscard]] bool solve() { return solve(1e-10 * chain.setup().length); }
+
+    /// The same, on a stable branch: a tangent with negative eigenvalues is made stiffer until it has none, as a tick does with
+    /// its masses, so that every step lowers the energy.
+    [[nodiscard]] bool settle() { return descend(1e-10 * chain.setup().length, true); }
 
     /// How many ways it would leave the shape at hand: negative eigenvalues of the tangent, by Sylvester's law.
     [[nodiscard]] int negatives() {
@@ -80,6 +68,38 @@ public:
     [[nodiscard]] double reaction(int held_unknown) { return -assemble()[held_unknown]; }
 
 private:
+    [[nodiscard]] bool descend(double close, bool stable) {
+        constexpr int most_steps = 400;
+        constexpr double largest_turn = 0.3;    // [rad] of an edge in a step
+        for (int i = 0; i < most_steps; ++i) {
+            VectorX step = assemble();
+            add_held(step);
+            int negatives = tangent_.factor();
+            for (double stiffer = least_stiffness(); stable && negatives > 0; stiffer *= 2.0) {
+                step = assemble();
+                for (int node = 1; node <= last(); ++node) {
+                    for (int a = unknown(node, x); a <= unknown(node, z); ++a) tangent_.add(a, a, stiffer);
+                }
+                add_held(step);
+                negatives = tangent_.factor();
+            }
+            tangent_.solve(step);
+            if (!step.allFinite()) return false;
+            const double part = std::min(1.0, largest_turn / turn(step));
+            step *= part;
+            for (int e = 0; e < chain.edges(); ++e) tensions_[e] = chain.tension(shape, e) + chain.tension_change(shape, step, e);
+            chain.move(step, shape);
+            if (part == 1.0 && farthest(step) <= close) return true;
+        }
+        return false;
+    }
+
+    // [N/m] of a node, to begin with: a share of the rod's own against a bow.
+    [[nodiscard]] double least_stiffness() const {
+        const ChainSetup& setup = chain.setup();
+        return 0.1 * setup.section.bending.minCoeff() / std::pow(setup.length, 3) / setup.edges;
+    }
+
     // The tangent, and load − ∇U − k x.
     VectorX assemble() {
         static const Viscosity none{.rate = 0.0, .before = nullptr};
@@ -138,6 +158,11 @@ private:
             .section = {.stretching = 1e7 * (10.0 + load), .bending = {1.0, 1.0}, .twisting = 0.8},
             .clamped = clamped,
             .natural_curvature = std::vector(elements, 0.0)};
+}
+
+/// Holds the last node on the axis.
+inline void pin_tip(Equilibrium& rod) {
+    for (const int side : {Equilibrium::x, Equilibrium::y}) rod.held[rod.unknown(rod.last(), side)] = 0.0;
 }
 
 /// Bows a straight rod toward x until its last node is `span` [m] from its base, along its axis. Where the bow is free to turn
