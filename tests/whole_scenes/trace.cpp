@@ -17,6 +17,10 @@ std::filesystem::path paper_scene(const std::string& name) {
     return std::filesystem::path(SCENE_FOLDER) / "paper" / (name + ".yaml");
 }
 
+std::filesystem::path validation_scene(const std::string& name) {
+    return std::filesystem::path(SCENE_FOLDER) / "validation" / (name + ".yaml");
+}
+
 std::filesystem::path own_scene(const std::string& name) {
     return std::filesystem::path(OWN_SCENE_FOLDER) / (name + ".yaml");
 }

@@ -19,8 +19,9 @@ using Motion = std::function<Pose(double time)>;
 /// The build's own plugins, and those of these tests.
 [[nodiscard]] core::PluginFolders plugin_folders();
 
-[[nodiscard]] std::filesystem::path paper_scene(const std::string& name);    // of scenes/paper
-[[nodiscard]] std::filesystem::path own_scene(const std::string& name);      // of the scenes beside these tests
+[[nodiscard]] std::filesystem::path paper_scene(const std::string& name);         // of scenes/paper
+[[nodiscard]] std::filesystem::path validation_scene(const std::string& name);    // of scenes/validation
+[[nodiscard]] std::filesystem::path own_scene(const std::string& name);           // of the scenes beside these tests
 
 /// A scene with its cast, ready to tick. A motion drives the scene's driven_hand.
 class Stage {
