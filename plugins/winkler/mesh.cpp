@@ -30,13 +30,16 @@ double bound_of_load(const Pieces& pieces) {
 }
 
 void share_out(const Pieces& pieces, double bound, int elements, Nodes& nodes) {
+    constexpr double deepest = 12.0;    // lengths κ^-¼ into which a shape reaches, at either end a few
     const double of_load = std::sqrt(bound);
     std::array<double, max_pieces> density;    // wave number
     double total = 0.0, begin = 0.0;
     for (std::size_t i = 0; i < pieces.size; ++i) {
-        density[i] = std::max(of_load, std::sqrt(std::sqrt(pieces.of[i].kappa)));
-        total += density[i] * (pieces.of[i].end - begin);
-        begin = pieces.of[i].end;
+        const auto [end, kappa] = pieces.of[i];
+        const double of_foundation = std::min(std::sqrt(std::sqrt(kappa)), deepest / (end - begin));
+        density[i] = std::max(of_load, of_foundation);
+        total += density[i] * (end - begin);
+        begin = end;
     }
 
     std::size_t piece = 0;

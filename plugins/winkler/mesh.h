@@ -30,8 +30,9 @@ using Nodes = std::array<double, max_elements + 1>;
 [[nodiscard]] double bound_of_load(const Pieces& pieces);
 
 /// Shares `elements` out so that each spans about the same part of a wave: where the foundation is κ, a load p bends the column
-/// in waves and exponentials of wave numbers up to max(√p, κ^¼); for p stands its `bound`. The nodes move continuously with the
-/// pieces, so the load does too; a piece may end anywhere inside an element.
+/// in waves and exponentials of wave numbers up to max(√p, κ^¼); for p stands its `bound`. A piece too stiff for such waves,
+/// which a shape reaches into no further than a few κ^-¼, gets no more elements for being longer. The nodes move continuously
+/// with the pieces, so the load does too; a piece may end anywhere inside an element.
 void share_out(const Pieces& pieces, double bound, int elements, Nodes& nodes);
 
 }    // namespace stylet::winkler
