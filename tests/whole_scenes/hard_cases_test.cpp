@@ -72,7 +72,7 @@ TEST_P(FreeLength, MayShrinkToNothing) {
     expect_sound(trace);
 }
 
-INSTANTIATE_TEST_SUITE_P(Needle, FreeLength, testing::Values("rigid", "beam_column", "rod"),
+INSTANTIATE_TEST_SUITE_P(Needle, FreeLength, testing::Values("rigid", "beam_column", "elastica", "rod"),
                          [](const auto& needle) { return std::string(needle.param); });
 
 /// Row 20, outside: a force as continuous as the depth, down to the last bits.

@@ -144,7 +144,7 @@ TEST_P(RoughHand, ComesInAtASlant) {
     EXPECT_EQ(trace.count("punctured"), 1u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Needle, RoughHand, testing::Values("rigid", "beam_column", "rod"),
+INSTANTIATE_TEST_SUITE_P(Needle, RoughHand, testing::Values("rigid", "beam_column", "elastica", "rod"),
                          [](const auto& needle) { return std::string(needle.param); });
 
 const core::Override contrast_of_a_thousand{"tissue.layers",
