@@ -30,10 +30,11 @@ struct LoadQuestion {
 
 /// One model's answers for one scene.
 struct LoadCurve {
-    std::string model;                   // its label
-    std::vector<double> loads;           // [N] at each point
-    std::vector<double> stiffness;       // [Pa] at each point, where it was asked for
-    std::optional<double> at_surface;    // [N] where the tip is about to puncture; none where a key varies
+    std::string model{};                   // its label
+    std::vector<double> loads{};           // [N] at each point
+    std::vector<double> stiffness{};       // [Pa] at each point, where it was asked for
+    std::optional<double> at_surface{};    // [N] where the tip is about to puncture; none where a key varies
+    std::vector<double> crossings{};       // where the load changes sides with the puncture force, in the unit of the axis
 };
 
 struct SceneLoads {

@@ -8,19 +8,6 @@
 namespace stylet::app {
 namespace {
 
-/// Where the load changes sides with the puncture force, between two points by a straight line.
-std::vector<double> crossings_of(const LoadCurve& curve, const SceneLoads& scene) {
-    std::vector<double> crossings;
-    for (std::size_t i = 1; i < scene.points.size(); ++i) {
-        const double before = curve.loads[i - 1] - scene.puncture[i - 1], after = curve.loads[i] - scene.puncture[i];
-        if ((before < 0.0) == (after < 0.0)) continue;
-        const bool finite = std::isfinite(before) && std::isfinite(after);
-        crossings.push_back(finite ? std::lerp(scene.points[i - 1], scene.points[i], before / (before - after))
-                                   : scene.points[i]);
-    }
-    return crossings;
-}
-
 /// "up to 2 mm and from 5 mm on": every other stretch between the crossings, the first of them or the second to begin with.
 std::string stretches(const std::vector<double>& crossings, bool from_the_beginning, const CriticalLoads& loads) {
     std::vector<std::string> words;
@@ -39,9 +26,9 @@ std::string change_inside(const LoadCurve& curve, const LoadAdvice& advice, cons
     if (curve.loads.size() == 1) return "";
     const bool surface_less = *advice.buckles_first, begins_less = curve.loads.front() < scene.puncture.front();
     const char* const other = surface_less ? "more" : "less";
-    if (!advice.crossings.empty())
+    if (!curve.crossings.empty())
         return fmt::format(" Inside it bears {} than that {}.", other,
-                           stretches(advice.crossings, begins_less != surface_less, loads));
+                           stretches(curve.crossings, begins_less != surface_less, loads));
     if (begins_less != surface_less)
         return fmt::format(" From {} to {} it bears {} than that.", on_axis(scene.points.front(), loads),
                            on_axis(scene.points.back(), loads), other);
@@ -72,9 +59,9 @@ std::string along_key(const LoadCurve& curve, const LoadAdvice& advice, const Sc
                            significant(curve.loads.front(), "N"), loads.axis, on_axis(scene.points.front(), loads),
                            significant(curve.loads.back(), "N"), on_axis(scene.points.back(), loads));
     }
-    if (!advice.crossings.empty()) {
+    if (!curve.crossings.empty()) {
         return fmt::format("the needle buckles before its tip punctures where {} is {}.", loads.axis,
-                           stretches(advice.crossings, *advice.buckles_first, loads));
+                           stretches(curve.crossings, *advice.buckles_first, loads));
     }
     return *advice.buckles_first ? "the needle buckles before its tip punctures, all along."
                                  : "the tip punctures before the needle buckles, all along.";
@@ -84,15 +71,12 @@ std::string along_key(const LoadCurve& curve, const LoadAdvice& advice, const Sc
 
 LoadAdvice advice_on(const LoadCurve& curve, const SceneLoads& scene, const CriticalLoads& loads) {
     const auto least = std::ranges::min_element(curve.loads);
-    LoadAdvice advice{.buckles_first = {},
-                      .crossings = {},
-                      .least = *least,
-                      .least_at = scene.points[static_cast<std::size_t>(least - curve.loads.begin())]};
+    LoadAdvice advice{
+        .buckles_first = {}, .least = *least, .least_at = scene.points[static_cast<std::size_t>(least - curve.loads.begin())]};
     const bool at_surface = loads.along_depth || loads.depth == 0.0;
     const bool limited = std::ranges::any_of(scene.puncture, [](double force) { return std::isfinite(force); });
     if (!at_surface || !limited) return advice;
     advice.buckles_first = curve.at_surface.value_or(curve.loads.front()) < scene.puncture.front();
-    advice.crossings = crossings_of(curve, scene);
     return advice;
 }
 

@@ -5,13 +5,11 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace stylet::app {
 
 struct LoadAdvice {
     std::optional<bool> buckles_first;    // before the tip punctures; none where nothing limits the tip, or it is in already
-    std::vector<double> crossings;        // where on the axis load and puncture force cross, in its unit
     double least;                         // [N] on the axis
     double least_at;                      // on the axis, in its unit
 };

@@ -43,7 +43,7 @@ ordered_json curve_json(const LoadCurve& curve, const SceneLoads& scene, const C
                       {"stiffness", curve.stiffness.empty() ? ordered_json(nullptr) : numbers(curve.stiffness)},
                       {"load_at_surface", number(curve.at_surface)},
                       {"buckles_first", advice.buckles_first ? ordered_json(*advice.buckles_first) : ordered_json(nullptr)},
-                      {"crossings", numbers(advice.crossings)},
+                      {"crossings", numbers(curve.crossings)},
                       {"least_load", number(advice.least)},
                       {"least_at", number(advice.least_at)}};
     if (scene.reference) json["deviation"] = number(curve.loads.front() / *scene.reference - 1.0);

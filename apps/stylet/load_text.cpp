@@ -134,7 +134,7 @@ std::string scenes_text(const CriticalLoads& loads) {
     LoadTable table(models, with_reference(loads), with_stiffness(loads));
     table.add_header("scene");
     for (const SceneLoads& scene : loads.scenes) table.add_row(stem(scene), scene, 0);
-    return table.text();
+    return fmt::format("Critical loads at {} of depth\n", on_axis(loads.scenes.front().points.front(), loads)) + table.text();
 }
 
 }    // namespace
