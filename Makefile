@@ -24,6 +24,7 @@ test: build
 
 bench: build
 	build/release/bin/stylet_bench
+	build/release/bin/stylet_answers_bench
 
 build: deps
 	cmake --preset release

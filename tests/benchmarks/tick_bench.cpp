@@ -69,15 +69,21 @@ int main() {
     std::vector<Override> deep_rigid = deep, close = deep;
     deep_rigid.push_back({"needle.type", "rigid"});
     close.push_back({"coupling.contact_spacing", "2.5 mm"});
+    const Override rod{"needle.type", "rod"};
+    std::vector<Override> close_rod = close;
+    close_rod.push_back(rod);
     const std::vector<Stretch> stretches = {
         {"before puncture, straight (the others compare with this)", l150, {}, 1.0, 5.0},
         {"before puncture, bowed", l200, {}, 4.0, 7.0},
         {"inside, 10 contacts", l150, deep, 7.2, 7.6},
         {"inside, 20 contacts", l150, close, 7.2, 7.6},
         {"inside, 10 contacts, rigid needle", l150, deep_rigid, 7.2, 7.6},
+        {"before puncture, a rod of 41 nodes that bows", l200, {rod}, 4.0, 7.0},
+        {"inside, 20 contacts, a rod of 41 nodes", l150, close_rod, 7.2, 7.6},
         {"inside, second bow", fig9, {}, 6.6, 8.4},
         {"the rupture itself, straight needle", l150, {}, 5.262, 5.272},
         {"the rupture itself, bowed needle", fig9, {}, 4.679, 4.689},
+        {"the rupture itself, a rod of 41 nodes", l150, {rod}, 5.263, 5.273},
     };
     fmt::print("One tick, in µs: {}\n\n", "core::Simulation::tick with half_space, beam_column, fracture, friction unless said");
     fmt::print("{:<58} {:>8} {:>8} {:>8} {:>8} {:>7}\n", "", "contacts", "median", "p99", "worst", "ratio");
