@@ -88,7 +88,6 @@ Strain Chain::strain(const Shape& shape, int joint) const {
     return Joint(e, f, twist).strain();
 }
 
-// [N·m] per curvature κ1, κ2 and per twist m of a joint.
 Vector3 Chain::bending_and_twisting(int joint) const {
     const bool hinged = joint == 0 && !setup_.clamped;
     const double length = joint_length(joint);

@@ -73,6 +73,8 @@ public:
 
     [[nodiscard]] Strain strain(const Shape& shape, int joint) const;
     [[nodiscard]] double joint_length(int joint) const { return joint == 0 ? 0.5 * edge_length_ : edge_length_; }    // [m]
+    /// [N·m] per curvature κ1, κ2 and per twist m of a joint; a hinge resists no bending.
+    [[nodiscard]] Vector3 bending_and_twisting(int joint) const;
 
     /// ∇U, with the viscosity's moments. [N] and [N·m].
     void gradient(const Shape& shape, const Viscosity& viscosity, VectorX& gradient) const;
@@ -85,7 +87,6 @@ public:
 private:
     [[nodiscard]] Edge edge(const Shape& shape, int i) const;
     [[nodiscard]] Edge edge_before(const Shape& shape, int joint) const;
-    [[nodiscard]] Vector3 bending_and_twisting(int joint) const;
     [[nodiscard]] Vector3 moments(int joint, const Strain& strain, const Viscosity& viscosity) const;
     [[nodiscard]] double strained_by(const Shape& shape, int edge) const;
     void add_stretching(const Shape& shape, VectorX& gradient) const;

@@ -256,12 +256,10 @@ double Rod::kinetic(const State& state) const {
 // [N·m] The damping's share of a joint's moments.
 Vector3 Rod::viscous(int joint, const Strain& strain) const {
     const Viscosity now = viscosity();
-    const Section& section = chain_.setup().section;
     const Strain& before = trial_.strains[joint];
     const Vector3 change(strain.curvature[0] - before.curvature[0], strain.curvature[1] - before.curvature[1],
                          strain.twist - before.twist);
-    const Vector3 stiffness(section.bending[0], section.bending[1], section.twisting);
-    return now.rate / chain_.joint_length(joint) * stiffness.cwiseProduct(change);
+    return now.rate * chain_.bending_and_twisting(joint).cwiseProduct(change);
 }
 
 EnergyReport Rod::energy() const {
