@@ -24,10 +24,11 @@ struct Section {
     const Section* part = nullptr;        // a section within this one, that may be left out
 };
 
-inline constexpr Section buckling_section{.key = "buckling",
-                                          .meaning = "the model of the critical load; left out, nothing buckles",
-                                          .role = Role::buckling,
-                                          .swappable = true};
+inline constexpr Section buckling_section{
+    .key = "buckling",
+    .meaning = "the model of the critical load, for a needle that asks one; left out, such a needle never buckles",
+    .role = Role::buckling,
+    .swappable = true};
 inline constexpr Section tissue_section{
     .key = "tissue", .meaning = "the tissue and its layers", .keys = tissue_keys, .role = Role::tissue, .swappable = true};
 inline constexpr Section needle_section{.key = "needle",

@@ -23,7 +23,7 @@ public:
         std::filesystem::create_directories(plugins());
         std::filesystem::create_directory(bench_.path("bin"));
         std::filesystem::copy_file(STYLET_EXECUTABLE, bench_.path("bin/stylet"));
-        for (const char* name : {"beam_column", "fracture", "friction", "half_space", "recorded_hand"}) add(name);
+        for (const char* name : {"beam_column", "fracture", "friction", "half_space", "recorded_hand", "rod"}) add(name);
     }
     void add(const std::string& name) const {
         std::filesystem::copy_file(std::filesystem::path(PLUGIN_FOLDER) / (name + ".so"), plugins() / (name + ".so"));
