@@ -13,7 +13,7 @@ double alpha(int term) {
     return (term + 0.5) * pi;
 }
 
-/// sin(mπξ/2) for m = 0 … 2(2·3 − 1), by the recurrence of the multiple angle: one sine and one cosine for all of them.
+/// sin(mπξ/2) for every m that the integrals need, by the recurrence of the multiple angle: one sine and one cosine for all.
 struct Sines {
     std::array<double, 4 * most_terms - 1> of;
 

@@ -14,8 +14,7 @@ void BandedPencil::fix(int i) {
     stiffness(i, i) = 1.0;
 }
 
-// Row i of L needs the three rows above it alone: they are carried along. Rows above the first are those of no unknown, (1, 0, 0,
-// 0).
+// Row i of L needs the three rows above it alone, which are carried along; above the first row they are those of a unit matrix.
 int BandedPencil::factorise(double shift) {
     BandMatrix::Row one{1.0}, two{1.0}, three{1.0};    // 1/D and L of rows i − 1, i − 2, i − 3
     int negatives = 0;
@@ -83,7 +82,7 @@ double BandedPencil::quotient(double shift) {
 }
 
 double BandedPencil::smallest_eigenvalue(double bound, double tolerance) {
-    constexpr int most_steps = 200;    // half of them halve the interval: never reached
+    constexpr int most_steps = 200;    // never reached: at least half of them halve the interval
     for (int i = -half_bandwidth; i < 0; ++i) vector_(i) = 0.0;
     // Neither even nor odd, so that it has a part in every mode.
     for (int i = 0; i < size_; ++i) image_(i) = std::fmod(0.6180339887498949 * (i + 1), 1.0);

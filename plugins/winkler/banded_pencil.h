@@ -43,10 +43,10 @@ public:
     /// Takes unknown i out: x(i) = 0 in every eigenvector.
     void fix(int i);
 
-    /// The smallest p, to the relative `tolerance` or to rounding, whichever is coarser. Each shifted inverse iteration gives an
-    /// upper bound, Rayleigh's quotient; the inertia of K − σG says whether an eigenvalue lies below σ, so it is the smallest
-    /// that is found, and at least every other step halves the interval around it. Source: Parlett 1980, The Symmetric
-    /// Eigenvalue Problem, sections 3.3 (slicing the spectrum) and 4.6 (Rayleigh quotient iteration).
+    /// The smallest p, or `bound` where that is smaller still, to the relative `tolerance` or to rounding, whichever is coarser.
+    /// Each shifted inverse iteration gives an upper bound, Rayleigh's quotient; the inertia of K − σG says whether an eigenvalue
+    /// lies below σ, so it is the smallest that is found, and at least every other step halves the interval around it. Source:
+    /// Parlett 1980, The Symmetric Eigenvalue Problem, sections 3.3 (slicing the spectrum) and 4.6 (Rayleigh quotient iteration).
     [[nodiscard]] double smallest_eigenvalue(double bound, double tolerance);
 
 private:

@@ -4,6 +4,8 @@
 //     given:
 //       - {layer: fat, modulus: 28.5 kPa}
 //       - {layer: muscle, modulus: 77.3 kPa}
+//
+// What is given is each model's own: the k of a Winkler foundation and the μ of Eq. (3) are different numbers for one tissue.
 #pragma once
 
 #include <stylet/foundation_modulus.h>
