@@ -147,6 +147,33 @@ TEST_P(ChainBentBy, HasATangentThatIsTheSymmetricPartOfItsGradientsSlope) {
     EXPECT_LE(off, differences);
 }
 
+// Half of what a step of damping dissipates is a potential of its moments: ½ rate Σ B (κ − before)²/ℓj.
+TEST_P(ChainBentBy, HasViscousMomentsThatAreTheSlopeOfHalfTheirDissipation) {
+    static constexpr double rate = 3.0;
+    static std::vector<Strain> before;    // shared with `half`, which has to be a plain function
+    for (const bool clamped : {true, false}) {
+        const Chain chain(six_edges(clamped));
+        const Shape from = random_shape(chain, GetParam(), 23), shape = random_shape(chain, GetParam(), 29);
+        before.clear();
+        for (int joint = 0; joint < chain.edges(); ++joint) before.push_back(chain.strain(from, joint));
+        const auto half = [](const Chain& of, const Shape& at) {
+            double sum = 0.0;
+            for (int joint = 0; joint < of.edges(); ++joint) {
+                const Strain now = of.strain(at, joint);
+                const Vector3 change(now.curvature[0] - before[joint].curvature[0], now.curvature[1] - before[joint].curvature[1],
+                                     now.twist - before[joint].twist);
+                sum += 0.5 * rate * of.bending_and_twisting(joint).dot(change.cwiseAbs2());
+            }
+            return sum;
+        };
+        VectorX gradient(chain.unknowns());
+        chain.gradient(shape, {.rate = rate, .before = &before}, gradient);
+        const VectorX viscous = gradient - gradient_of(chain, shape);
+        const std::vector<double> slope = slopes<double>(chain, shape, half);
+        for (int a = 0; a < chain.unknowns(); ++a) EXPECT_NEAR(slope[a], viscous[a], 10.0 * differences * gradient.norm()) << a;
+    }
+}
+
 TEST_P(ChainBentBy, HasNoMomentAboutAnUntwistedHinge) {
     const Chain chain(six_edges(false));
     Shape shape = random_shape(chain, GetParam(), 13);
@@ -215,6 +242,8 @@ TEST(Chain, KeepsItsEnergyWhenItSwingsOnItsHinge) {
 TEST(Chain, IsWoundUpWithoutAJumpWhenItsBaseIsRolledAllRound) {
     const Chain chain(six_edges(false));
     Shape shape = random_shape(chain, 0.5, 19);
+    // So far off the axis that in one turn the first edge's reference goes round its own by 2π (1 − cos 80°).
+    for (int i = 0; i < 8; ++i) turn(chain, Vector3::UnitY(), pi / 18.0, shape);
     const double before = chain.strain(shape, 0).twist;
     const double rest = chain.energy(shape) - 0.5 * chain.setup().section.twisting / chain.joint_length(0) * before * before;
     for (int i = 1; i <= 2 * turns; ++i) {
