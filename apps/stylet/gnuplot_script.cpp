@@ -99,7 +99,9 @@ private:
         add("set grid lt 1 dt solid lw 0.5 lc rgb '#DDDDDD'");
         add("set xlabel {} noenhanced offset 0,0.2\nset ylabel {} noenhanced offset 1.2,0", quoted(figure_.x_label),
             quoted(figure_.y_label));
-        if (!figure_.title.empty()) add("set title {} noenhanced offset 0,-0.2", quoted(figure_.title));
+        if (!figure_.title.empty())    // at the page's top, whatever lies between it and the plot
+            add("set label {} at {} center noenhanced", quoted(figure_.title),
+                screen({(plot.left + plot.right) / 2.0, 0.5 * Page::key_line + 8.0}));
         add("unset key");
     }
 
@@ -110,10 +112,10 @@ private:
         add("set object 1 rectangle from {} to {} front fs solid 0.9 noborder fc rgb 'white'", screen({key.left, key.bottom}),
             screen({key.right, key.top}));
         for (std::size_t c = 0; c < figure_.curves.size(); ++c) {
-            const double y = key.top + 3.0 + Page::key_line * (static_cast<double>(c) + 0.5);
-            add_sample(c, key.left, key.left + Page::key_sample - 8.0, y);
+            const Point entry = page_.key_entry(c);
+            add_sample(c, entry.x, entry.x + Page::key_sample - 8.0, entry.y);
             add("set label {} at {} left noenhanced front", quoted(figure_.curves[c].name),
-                screen({key.left + Page::key_sample, y}));
+                screen({entry.x + Page::key_sample, entry.y}));
         }
     }
 

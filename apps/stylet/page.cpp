@@ -14,6 +14,7 @@ namespace {
 using Line = std::pair<Point, Point>;
 
 constexpr double trace_step = 2.0;    // pixels
+constexpr double key_edge = 3.0;      // pixels
 
 double text_width(const std::string& text, double font) {
     constexpr double mean_letter = 0.58;    // of the font size, DejaVu Sans
@@ -70,6 +71,7 @@ std::size_t pixel_index(const Point& point) {
 Page::Page(const Figure& figure) : figure_(figure), plot_{78.0, figure.title.empty() ? 16.0 : 46.0, width - 18.0, height - 62.0} {
     trace_curves();
     if (figure.curves.size() > 1) place_key();
+    if (key_ && cover(*key_) > 0.0) place_key_above();
     place_labels();
 }
 
@@ -80,6 +82,8 @@ Point Page::pixel(const Point& point) const {
 }
 
 void Page::trace_curves() {
+    traces_.clear();
+    markers_.clear();
     for (const Curve& curve : figure_.curves) {
         for (std::size_t i = 1; i < curve.points.size(); ++i) {
             const std::vector<Point> piece = stepped(pixel(curve.points[i - 1]), pixel(curve.points[i]));
@@ -102,10 +106,34 @@ double Page::cover(const Box& box) const {
            30.0 * static_cast<double>(std::count_if(markers_.begin(), markers_.end(), under));
 }
 
-void Page::place_key() {
+/// The key's box with its entries in columns, read down.
+void Page::fill_key(double left, double top, std::size_t columns) {
     double longest = 0.0;
     for (const Curve& curve : figure_.curves) longest = std::max(longest, text_width(curve.name, font));
-    const double key_width = key_sample + longest + 8.0, key_height = key_line * static_cast<double>(figure_.curves.size()) + 6.0;
+    key_column_ = key_sample + longest + (columns > 1 ? 20.0 : 8.0);
+    key_rows_ = (figure_.curves.size() + columns - 1) / columns;
+    key_ = {left, top, left + key_column_ * static_cast<double>(columns),
+            top + key_line * static_cast<double>(key_rows_) + 2.0 * key_edge};
+}
+
+Point Page::key_entry(std::size_t curve) const {
+    return {key_->left + key_column_ * static_cast<double>(curve / key_rows_),
+            key_->top + key_edge + key_line * (static_cast<double>(curve % key_rows_) + 0.5)};
+}
+
+/// Where no place among the curves is free, the plot gives up some of its height.
+void Page::place_key_above() {
+    fill_key(0.0, 0.0, 2);
+    const double room = width - plot_.left;
+    const auto columns = static_cast<std::size_t>(std::clamp(room / key_column_, 1.0, 3.0));
+    fill_key(plot_.left, plot_.top - 8.0, columns);
+    plot_.top = key_->bottom + 4.0;
+    trace_curves();
+}
+
+void Page::place_key() {
+    fill_key(0.0, 0.0, 1);
+    const double key_width = key_->right, key_height = key_->bottom;
     constexpr double gap = 10.0;
     const double left = plot_.left + gap, right = plot_.right - gap - key_width;
     const double top = plot_.top + gap, bottom = plot_.bottom - gap - key_height;

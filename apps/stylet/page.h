@@ -43,6 +43,7 @@ public:
 
     [[nodiscard]] const Box& plot() const { return plot_; }                 // the axes' rectangle
     [[nodiscard]] const std::optional<Box>& key() const { return key_; }    // none for a single curve
+    [[nodiscard]] Point key_entry(std::size_t curve) const;                 // left end of its sample, at half its height
     [[nodiscard]] const std::vector<PlacedLabel>& labels() const { return labels_; }
     [[nodiscard]] Point pixel(const Point& point) const;
 
@@ -52,6 +53,8 @@ public:
 private:
     void trace_curves();
     void place_key();
+    void place_key_above();
+    void fill_key(double left, double top, std::size_t columns);
     void place_labels();
     double settle_labels();                         // returns what the places cost
     double find_place(PlacedLabel& label) const;    // the best there is beside the other labels as they lie; returns its cost
@@ -65,6 +68,8 @@ private:
     std::vector<bool> inked_;      // pixels, row by row, that a curve covers
     std::vector<Point> markers_;
     std::optional<Box> key_;
+    std::size_t key_rows_ = 0;
+    double key_column_ = 0.0;    // [pixels] width of its columns
     std::vector<PlacedLabel> labels_;
 };
 
