@@ -18,15 +18,14 @@ void Maker::complain(const Choice& choice, const Error& error) {
         complaints.add(choice.place, choice.path, error.what());
         return;
     }
-    const std::string own_map = join(join(choice.path, choice.type), error.key());
-    const std::string beside_type = join(choice.path, error.key());
-    for (const std::string& path : {own_map, beside_type, error.key()}) {
+    const std::string own = join(choice.within, error.key());
+    for (const std::string& path : {own, join(choice.path, error.key()), error.key()}) {
         if (const auto found = scene.places.find(path); found != scene.places.end()) {
             complaints.add(found->second, path, error.what());
             return;
         }
     }
-    complaints.add(choice.place, beside_type, error.what());
+    complaints.add(choice.place, own, error.what());
 }
 
 }    // namespace stylet::core

@@ -24,7 +24,7 @@ std::span<const Parameter> declarations(const PluginLibrary& library) {
 
 /// The plugin that the map's `type` names, its parameters still to be read; an empty `type` where it names none.
 Choice read_type(const ValueTree& map, const std::string& path, Role role, Reading& reading) {
-    Choice choice{.type = "", .path = path, .place = map.place, .parameters = {}, .alternatives = {}};
+    Choice choice{.type = "", .path = path, .place = map.place, .parameters = {}};
     const std::string wanted = std::string("the name of ") + with_article(role);
     const ValueTree* type = map.find("type");
     if (type == nullptr) {
@@ -79,9 +79,10 @@ void read_beside(const ValueTree& map, const PluginLibrary& library, std::vector
 
 /// Parameters in a map named after the plugin.
 void read_within(const ValueTree& map, const PluginLibrary& library, Choice& choice, Reading& reading) {
+    choice.within = join(choice.path, choice.type);
     const ValueTree nothing_given(ValueTree::Shape::map, map.place);
     const ValueTree* own = map.find(choice.type);
-    choice.parameters = read_own_map(own == nullptr ? nothing_given : *own, join(choice.path, choice.type), library, reading);
+    choice.parameters = read_own_map(own == nullptr ? nothing_given : *own, choice.within, library, reading);
 }
 
 void check_other_maps(const ValueTree& map, Role role, const std::vector<std::string>& known, Choice& choice, Reading& reading) {

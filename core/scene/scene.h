@@ -25,6 +25,7 @@ struct Choice {
     std::string path;    // in the scene, for instance effects[1]
     Place place;         // of its `type`
     Parameters parameters;
+    std::string within = path;                  // where its own parameters stand: effects[1], needle.rod
     std::vector<std::string> alternatives{};    // other plugins of the role that a swappable section holds maps for
 };
 
