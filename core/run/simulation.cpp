@@ -28,6 +28,9 @@ Pose between(const Pose& a, const Pose& b, double fraction) {
 constexpr double farthest = 1e3;
 // A needle that begins in the tissue is brought in in this many moves, each halved as any other that is too far.
 constexpr int steps_in = 64;
+// What then still moves comes to rest in steps so long that inertia has no say.
+constexpr int rests = 8;
+constexpr double rest = 1.0;    // [s]
 
 bool makes_sense(const Pose& pose) {
     return pose.finite() && pose.position.cwiseAbs().maxCoeff() < farthest;
@@ -70,7 +73,7 @@ void Simulation::begin(const Pose& first) {
         return;
     }
     base_ = first;
-    now_ = -2.0 * steps_in * dt_;    // no prescribed load acts before time 0
+    now_ = -2.0 * steps_in * dt_ - rests * rest;    // no prescribed load acts before time 0
     needle_.predict(first, setup_.length, dt_);
     if (tissue_.locate(needle_.held_position(setup_.length)).layer != outside) {
         base_.position -= setup_.length * first.axis();
@@ -80,6 +83,7 @@ void Simulation::begin(const Pose& first) {
     for (int i = 1; i <= steps_in && !lost_ && base_.position != first.position; ++i) {
         lost_ = !move_to(between(base_, first, 1.0 / (steps_in + 1 - i)), dt_, 0);
     }
+    for (int i = 0; i < rests && !lost_ && needle_.energy().kinetic > 0.0; ++i) lost_ = !move_to(base_, rest, 0);
     travel_ = 0.0;
     now_ = 0.0;
     if (lost_) raise("not converged");

@@ -184,9 +184,14 @@ TEST(BowedRupture, ClosesItsBooksAtOtherForcesAndRadii) {
 }
 
 TEST(BeginningInTheTissue, IsBroughtThereBeforeTheBooksOpen) {
-    const Trace trace = play(paper_scene("fig10a_l150"), {{"device.tip_start", "[0 mm, 0 mm, -60 mm]"}});
-    expect_survived(trace);
-    EXPECT_EQ(trace.count("punctured"), 1u);
+    for (const char* needle : {"beam_column", "elastica", "rod"}) {
+        const Trace trace =
+            play(paper_scene("fig10a_l150"), {{"device.tip_start", "[0 mm, 0 mm, -60 mm]"}, {"needle.type", needle}});
+        expect_survived(trace);
+        EXPECT_EQ(trace.count("punctured"), 1u);
+        measured("kinetic", trace.samples.front().kinetic, "J");
+        EXPECT_LE(std::abs(trace.samples.front().kinetic), 1e-6) << "it comes in at rest";
+    }
 }
 
 TEST(ContactSpacing, OfAMillimetreRunsInAShortNeedle) {

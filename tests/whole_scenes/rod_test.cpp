@@ -21,14 +21,6 @@ core::Override motion(const std::string& pieces) {
     return {"device.motion", "[" + pieces + "]"};
 }
 
-/// Against a rigid pin in air, so slowly that inertia has no say: 20 s of 0.05 mm/s, then on at 20 mm/s.
-Trace against_a_pin(const std::string& imperfection, const std::string& pieces) {
-    return play(validation_scene("column_in_air_pinned"),
-                {rod, {"needle.rod.imperfection", imperfection}, {"needle.rod.damping_time", "10 ms"}, motion(pieces)});
-}
-
-const char* const slowly = "{insert: 0.3 mm, speed: 0.02 mm/s}";
-
 /// Of the sample in which the bow first passes a hundredth of the length.
 double load_at_bow(const Trace& trace) {
     for (const core::Sample& sample : trace.samples) {
@@ -43,7 +35,8 @@ TEST(RodInAir, BucklesWhereEulerSaysBlurredByItsImperfection) {
         double least, most;    // of P_cr: what the prototype gave, 2 % either way for a bow of another shape
     };
     for (const Case& with : {Case{"0.2 mm", 0.91, 0.97}, Case{"0.02 mm", 0.98, 1.02}, Case{"0.0002 mm", 0.99, 1.12}}) {
-        const Trace trace = against_a_pin(with.imperfection, slowly);
+        const Trace trace = play(validation_scene("limit_load"),
+                                 {{"needle.rod.imperfection", with.imperfection}, motion("{insert: 0.3 mm, speed: 0.02 mm/s}")});
         const double ratio = load_at_bow(trace) / euler_load;
         measured(std::string("load_over_euler_at_") + with.imperfection, ratio);
         EXPECT_GE(ratio, with.least) << with.imperfection;
@@ -54,7 +47,7 @@ TEST(RodInAir, BucklesWhereEulerSaysBlurredByItsImperfection) {
 
 TEST(RodInAir, CarriesNoMoreThanItsLimitLoadAsFarAsItBows) {
     constexpr double limit = 1.14, band = 0.01;    // the reference's
-    const Trace trace = against_a_pin("0.02 mm", std::string(slowly) + ", {insert: 110 mm, speed: 20 mm/s}");
+    const Trace trace = play(validation_scene("limit_load"));
     double most = 0.0, travel = 0.0;    // [N], [m] once it is well bowed
     for (const core::Sample& sample : trace.samples) {
         if (sample.travel > 0.01 && sample.hand_force > most) {
