@@ -61,20 +61,6 @@ Curve curve_of(const Recording& recording, const std::string& x_name, const std:
     return curve;
 }
 
-/// "Fig. 10(a): L = 150 mm", "Fig. 10(a): L = 200 mm" → a legend that says only what differs.
-void drop_shared_beginning(std::vector<Curve>& curves) {
-    if (curves.size() < 2) return;
-    constexpr const char* colon = ": ";
-    const std::size_t end = curves.front().name.find(colon);
-    if (end == std::string::npos) return;
-    const std::string shared = curves.front().name.substr(0, end + 2);
-    const auto has_it = [&shared](const Curve& curve) {
-        return curve.name.starts_with(shared) && curve.name.size() > shared.size();
-    };
-    if (!std::all_of(curves.begin(), curves.end(), has_it)) return;
-    for (Curve& curve : curves) curve.name.erase(0, shared.size());
-}
-
 /// A curve that comes back within less than a printer's dot needs no further points.
 void thin(Curve& curve, const Figure& figure) {
     constexpr double dot = 1.0 / 4000.0;    // of the picture
@@ -136,6 +122,19 @@ void share_labels(Figure& figure) {
 }
 
 }    // namespace
+
+void drop_shared_beginning(std::vector<Curve>& curves) {
+    if (curves.size() < 2) return;
+    constexpr const char* colon = ": ";
+    const std::size_t end = curves.front().name.find(colon);
+    if (end == std::string::npos) return;
+    const std::string shared = curves.front().name.substr(0, end + 2);
+    const auto has_it = [&shared](const Curve& curve) {
+        return curve.name.starts_with(shared) && curve.name.size() > shared.size();
+    };
+    if (!std::all_of(curves.begin(), curves.end(), has_it)) return;
+    for (Curve& curve : curves) curve.name.erase(0, shared.size());
+}
 
 void fit_axes(Figure& figure) {
     constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -36,6 +36,9 @@ struct Figure {
 /// Sets the ranges of the axes around all curves; the y axis always shows zero.
 void fit_axes(Figure& figure);
 
+/// "Fig. 10(a): L = 150 mm", "Fig. 10(a): L = 200 mm" → a legend that says only what differs.
+void drop_shared_beginning(std::vector<Curve>& curves);
+
 /// One curve per recording, of column `y` over column `x`. Throws Failure where a recording lacks one of them or has no finite
 /// point.
 [[nodiscard]] Figure figure_of(const std::vector<Recording>& recordings, const std::string& x, const std::string& y);

@@ -1,7 +1,6 @@
 #include "apps/stylet/load_figure.h"
 
 #include "apps/stylet/failure.h"
-#include "apps/stylet/load_advice.h"
 
 #include <fmt/format.h>
 
@@ -84,22 +83,47 @@ void dot_what_agrees(std::vector<Curve>& curves) {
     }
 }
 
+bool with_stiffness(const CriticalLoads& loads) {
+    return !loads.scenes.front().curves.front().stiffness.empty();
+}
+
+/// What tells this curve from the others: its model, its scene, or both.
+std::string name_of(const LoadCurve& curve, const SceneLoads& scene, const CriticalLoads& loads) {
+    if (loads.scenes.size() == 1) return curve.model;
+    return loads.models().size() == 1 ? scene.title : fmt::format("{}, {}", scene.title, curve.model);
+}
+
 std::vector<Curve> curves_of(const SceneLoads& scene, const CriticalLoads& loads) {
     std::vector<Curve> curves;
-    bool stiffness = false;
     for (const LoadCurve& curve : scene.curves) {
-        stiffness = !curve.stiffness.empty();
-        const std::string name = loads.scenes.size() == 1 ? curve.model : fmt::format("{}, {}", scene.title, curve.model);
-        curves.push_back(stiffness ? curve_of(name, scene.points, curve.stiffness, 1.0 / kilo)
-                                   : curve_of(name, scene.points, curve.loads, 1.0));
+        const std::string name = name_of(curve, scene, loads);
+        curves.push_back(with_stiffness(loads) ? curve_of(name, scene.points, curve.stiffness, 1.0 / kilo)
+                                               : curve_of(name, scene.points, curve.loads, 1.0));
     }
-    if (loads.along_depth && !stiffness) {
+    if (loads.along_depth && !with_stiffness(loads)) {
         const double top = ceiling(curves, scene);
         for (Curve& curve : curves) cut(curve, top);
     }
-    const bool punctures = !stiffness && (loads.along_depth || loads.depth == 0.0) && std::isfinite(scene.puncture.front());
     dot_what_agrees(curves);
-    if (punctures) curves.push_back(curve_of("tip punctures", scene.points, scene.puncture, 1.0));
+    return curves;
+}
+
+/// One for all scenes that puncture alike.
+std::vector<Curve> puncture_curves(const CriticalLoads& loads) {
+    std::vector<Curve> curves;
+    if (with_stiffness(loads) || (!loads.along_depth && loads.depth > 0.0)) return curves;
+    for (const SceneLoads& scene : loads.scenes) {
+        const Curve curve = curve_of("tip punctures", scene.points, scene.puncture, 1.0);
+        if (curve.points.empty()) continue;
+        const auto alike = std::ranges::find_if(curves, [&](const Curve& other) {
+            return other.points.front().y == curve.points.front().y && other.points.back().y == curve.points.back().y;
+        });
+        if (alike == curves.end()) {
+            curves.push_back(curve);
+        } else if (curve.points.back().x > alike->points.back().x) {
+            *alike = curve;
+        }
+    }
     return curves;
 }
 
@@ -109,12 +133,14 @@ Figure figure_of(const CriticalLoads& loads) {
     if (loads.one_point())
         throw Failure(ExitCode::wrong_command,
                       "--plot: found one point of each curve, wanted an interval such as --depth 0..50mm");
-    const bool stiffness = !loads.scenes.front().curves.front().stiffness.empty();
     Figure figure;
     figure.x_label = with_unit(loads.along_depth ? "Tip depth" : loads.axis, loads.unit);
-    figure.y_label = stiffness ? "Foundation stiffness by Eq. (3) (kPa)" : "Critical load (N)";
-    if (loads.scenes.size() == 1) figure.title = loads.scenes.front().title;
+    figure.y_label = with_stiffness(loads) ? "Foundation stiffness by Eq. (3) (kPa)" : "Critical load (N)";
+    const bool one_scene = loads.scenes.size() == 1, one_model = loads.models().size() == 1;
+    figure.title = one_scene ? loads.scenes.front().title : one_model ? loads.models().front() : "";
     for (const SceneLoads& scene : loads.scenes) std::ranges::move(curves_of(scene, loads), std::back_inserter(figure.curves));
+    drop_shared_beginning(figure.curves);
+    std::ranges::move(puncture_curves(loads), std::back_inserter(figure.curves));
     fit_axes(figure);
     for (Curve& curve : figure.curves) {
         if (curve.dotted) space_out(curve, figure);

@@ -237,7 +237,7 @@ TEST(CriticalLoad, DrawsSeveralScenesIntoOnePicture) {
     const Outcome plot = bench.stylet({"critical-load", paper("fig10a_l200"), paper("fig10a_l300"), "--plot", "both"});
     EXPECT_EQ(plot.code, 0) << plot.err;
     const std::string svg = bench.read("both.svg");
-    for (const char* text : {"L = 200 mm, euler", "L = 300 mm, euler"}) EXPECT_TRUE(shows(svg, text)) << text;
+    for (const char* text : {">L = 200 mm<", ">L = 300 mm<", ">euler<"}) EXPECT_TRUE(shows(svg, text)) << text;
 }
 
 }    // namespace
