@@ -1,5 +1,5 @@
 # The front door. CMakePresets.json holds the builds themselves.
-.PHONY: run buckling test bench build deps clean
+.PHONY: run needles buckling test bench build deps clean
 .DEFAULT_GOAL := build
 
 stylet := build/release/bin/stylet
@@ -9,6 +9,11 @@ fig10a := fig10a_l150 fig10a_l200 fig10a_l300
 run: build
 	$(stylet) run $(fig10a:%=scenes/paper/%.yaml) --out out
 	$(stylet) plot $(fig10a:%=out/%.csv) --x travel --out out/fig10a
+
+# The same three with a needle that needs no formula, and both needles on one picture.
+needles: run
+	$(foreach l,150 200 300,$(stylet) run scenes/paper/fig10a_l$(l).yaml --set needle.type=rod --set 'title=L = $(l) mm, rod' --out out/rod &&) true
+	$(stylet) plot $(foreach l,150 200 300,out/fig10a_l$(l).csv out/rod/fig10a_l$(l).csv) --x travel --out out/fig10a_needles
 
 # Figs. 3 and 4(b) and Tables 1 and 2 of the paper: critical loads by each model, as pictures and as one table.
 buckling: build
