@@ -82,10 +82,13 @@ double Chain::tension_change(const Shape& shape, const VectorX& dx, int edge) co
     return setup_.section.stretching * tangent.dot(change) / edge_length_;
 }
 
+double Chain::twist(const Shape& shape, int joint) const {
+    return shape.angle[joint] - (joint > 0 ? shape.angle[joint - 1] : 0.0) + shape.reference_twist[joint];
+}
+
 Strain Chain::strain(const Shape& shape, int joint) const {
-    const double twist = shape.angle[joint] - (joint > 0 ? shape.angle[joint - 1] : 0.0) + shape.reference_twist[joint];
     const Edge e = edge_before(shape, joint), f = edge(shape, joint);
-    return Joint(e, f, twist).strain();
+    return Joint(e, f, twist(shape, joint)).strain();
 }
 
 Vector3 Chain::bending_and_twisting(int joint) const {
@@ -119,34 +122,34 @@ double Chain::energy(const Shape& shape) const {
     return sum;
 }
 
-void Chain::gradient(const Shape& shape, const Viscosity& viscosity, VectorX& gradient) const {
-    gradient.setZero();
-    add_stretching(shape, gradient);
+// visit(i, joint, f) for each joint from the base on; f is the edge that begins there.
+template <class Visit>
+void Chain::each_joint(const Shape& shape, Visit visit) const {
     Edge e = edge_before(shape, 0);
     for (int i = 0; i < edges(); ++i) {
         const Edge f = edge(shape, i);
-        const double twist = shape.angle[i] - (i > 0 ? shape.angle[i - 1] : 0.0) + shape.reference_twist[i];
-        const Joint joint(e, f, twist);
-        const Vector3 moment = moments(i, joint.strain(), viscosity);
-        const Joint::Gradients g = joint.gradients();
-        add_joint(i, moment[0] * g.first + moment[1] * g.second + moment[2] * g.twist, gradient);
+        visit(i, Joint(e, f, twist(shape, i)), f);
         e = f;
     }
+}
+
+void Chain::gradient(const Shape& shape, const Viscosity& viscosity, VectorX& gradient) const {
+    gradient.setZero();
+    add_stretching(shape, gradient);
+    each_joint(shape, [&](int i, const Joint& joint, const Edge&) {
+        add_joint(i, joint.gradients().weighed(moments(i, joint.strain(), viscosity)), gradient);
+    });
 }
 
 void Chain::linearise(const Shape& shape, const std::vector<double>& tensions, const Viscosity& viscosity, BandLdlt& tangent,
                       VectorX& gradient) const {
     gradient.setZero();
     add_stretching(shape, gradient);
-    Edge e = edge_before(shape, 0);
-    for (int i = 0; i < edges(); ++i) {
-        const Edge f = edge(shape, i);
-        const double twist = shape.angle[i] - (i > 0 ? shape.angle[i - 1] : 0.0) + shape.reference_twist[i];
-        const Joint joint(e, f, twist);
+    each_joint(shape, [&](int i, const Joint& joint, const Edge& f) {
         const Vector3 moment = moments(i, joint.strain(), viscosity);
         const Vector3 stiffness = (1.0 + viscosity.rate) * bending_and_twisting(i);
         const Joint::Gradients g = joint.gradients();
-        add_joint(i, moment[0] * g.first + moment[1] * g.second + moment[2] * g.twist, gradient);
+        add_joint(i, g.weighed(moment), gradient);
 
         JointMatrix h = joint.hessian(moment.head<2>(), moment[2]);
         h.noalias() += stiffness[0] * g.first * g.first.transpose();
@@ -157,8 +160,7 @@ void Chain::linearise(const Shape& shape, const std::vector<double>& tensions, c
         h.block<3, 3>(4, 4) +=
             setup_.section.stretching / edge_length_ * along + tensions[i] / f.length * (Matrix3::Identity() - along);
         add_joint(i, h, tangent);
-        e = f;
-    }
+    });
 }
 
 void Chain::add_stretching(const Shape& shape, VectorX& gradient) const {

@@ -87,6 +87,9 @@ public:
 private:
     [[nodiscard]] Edge edge(const Shape& shape, int i) const;
     [[nodiscard]] Edge edge_before(const Shape& shape, int joint) const;
+    [[nodiscard]] double twist(const Shape& shape, int joint) const;    // [rad]
+    template <class Visit>
+    void each_joint(const Shape& shape, Visit visit) const;
     [[nodiscard]] Vector3 moments(int joint, const Strain& strain, const Viscosity& viscosity) const;
     [[nodiscard]] double strained_by(const Shape& shape, int edge) const;
     void add_stretching(const Shape& shape, VectorX& gradient) const;

@@ -32,8 +32,8 @@ struct Strain {
 
 class Joint {
 public:
-    /// `reference_twist` [rad] is by how much the two edges' reference directors are turned about each other. Edges may not be
-    /// opposite to each other.
+    /// `twist` [rad] is m: the directors alone don't tell how many turns they have made. Edges may not be opposite to each other,
+    /// and outlive the joint.
     Joint(const Edge& e, const Edge& f, double twist);
 
     [[nodiscard]] const Strain& strain() const { return strain_; }
@@ -41,6 +41,10 @@ public:
     /// ∇κ1, ∇κ2 and ∇m [1/m, 1].
     struct Gradients {
         JointVector first, second, twist;
+
+        [[nodiscard]] JointVector weighed(const Vector3& moments) const {
+            return moments[0] * first + moments[1] * second + moments[2] * twist;
+        }
     };
     [[nodiscard]] Gradients gradients() const;
 
