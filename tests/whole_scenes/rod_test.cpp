@@ -167,6 +167,22 @@ TEST(RodInTheDent, ComesBackStraightTheWayItBowed) {
     EXPECT_LE(slow, 5e-3 * euler_load);
 }
 
+/// Hard case 20, outside: pressed in by nothing and by next to nothing, the hand feels as much.
+TEST(RodInTheDent, FeelsADepthOfNothingAsNothing) {
+    const double stiffness = 2.0 * 0.3e-3 * 250e3 / (1.0 - 0.49 * 0.49);    // [N/m] 2aE/(1 − ν²), of driven.yaml
+    constexpr double rounding = 1e-12;    // [m] of depth: the tip's place is a difference of 0.1 m
+    constexpr double ringing = 1e-3;      // of the force: what is left of the jerk 0.5 s later
+    for (const double depth : {0.0, 1e-12, 1e-9, 1e-6, 1e-3}) {
+        const Trace trace = play(
+            own_scene("driven"), {rod, {"needle.rod.damping_time", "10 ms"}},
+            [depth](double time) { return tip_at(std::min(depth, -1e-4 + 5e-3 * time), 0.1); }, 1000);
+        const double force = trace.samples.back().hand_force;
+        std::printf("depth %g m: %.6g N, by the punch %.6g N\n", depth, force, stiffness * depth);
+        EXPECT_NEAR(force, stiffness * depth, stiffness * rounding + ringing * stiffness * depth);
+        expect_sound(trace);
+    }
+}
+
 /// Coupling findings, "Physics seen": between the clamped-pinned and the clamped-clamped load of what is then free.
 TEST(RodInTheTissue, BucklesASecondTimeWhenFrictionHasGrown) {
     const Trace trace = play(paper_scene("fig10a_l200"), {rod,

@@ -6,7 +6,7 @@ namespace stylet {
 
 /// What a recording and a summary say of a needle's committed state.
 struct NeedleState {
-    double critical_load = 0.0;    // [N] of the free length; infinite where the needle cannot buckle
+    double critical_load = 0.0;    // [N] of the free length, by a formula; infinite where the needle asks none
     double axial_load = 0.0;       // [N] compression that the free length carries
     double deflection = 0.0;       // [m] largest distance from the straight line
     double slope = 0.0;            // [rad] largest angle to the straight line
