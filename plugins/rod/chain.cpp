@@ -40,8 +40,14 @@ Edge Chain::edge(const Shape& shape, int i) const {
     return edge;
 }
 
-Edge Chain::edge_before(const Shape& shape, int joint) const {
+// The base's own edge is the clamp's direction. A pinned base has none: its edge goes along with the first one, so that nothing
+// is bent wherever that swings, and what it holds is the spin about it.
+Edge Chain::edge_before(const Shape& shape, int joint, const Edge& after) const {
     if (joint > 0) return edge(shape, joint - 1);
+    if (hinged(joint)) {
+        const Vector3& reference = shape.reference[0];
+        return {.tangent = after.tangent, .length = edge_length_, .first = reference, .second = after.tangent.cross(reference)};
+    }
     return {.tangent = axis, .length = edge_length_, .first = base_director, .second = axis.cross(base_director)};
 }
 
@@ -83,41 +89,37 @@ double Chain::tension_change(const Shape& shape, const VectorX& dx, int edge) co
 }
 
 double Chain::twist(const Shape& shape, int joint) const {
+    if (hinged(joint)) return shape.angle[joint];
     return shape.angle[joint] - (joint > 0 ? shape.angle[joint - 1] : 0.0) + shape.reference_twist[joint];
 }
 
 Strain Chain::strain(const Shape& shape, int joint) const {
-    const Edge e = edge_before(shape, joint), f = edge(shape, joint);
-    return Joint(e, f, twist(shape, joint)).strain();
+    const Edge f = edge(shape, joint);
+    return Joint(edge_before(shape, joint, f), f, twist(shape, joint)).strain();
 }
 
 Vector3 Chain::bending_and_twisting(int joint) const {
-    const bool hinged = joint == 0 && !setup_.clamped;
-    const double length = joint_length(joint);
-    const Vector2 bending = hinged ? Vector2::Zero() : Vector2(setup_.section.bending / length);
-    return {bending[0], bending[1], setup_.section.twisting / length};
+    const Vector2 bending = hinged(joint) ? Vector2::Zero() : setup_.section.bending;
+    return Vector3(bending[0], bending[1], setup_.section.twisting) / joint_length(joint);
+}
+
+Strain Chain::beyond_rest(int joint, const Strain& strain) const {
+    return strain - setup_.natural_curvature[joint] * joint_length(joint) * Vector3::UnitX();
 }
 
 // What the joint bears: M1, M2 and its torque.
 Vector3 Chain::moments(int joint, const Strain& strain, const Viscosity& viscosity) const {
-    const double natural = setup_.natural_curvature[joint] * joint_length(joint);
-    Vector3 change(strain.curvature[0] - natural, strain.curvature[1], strain.twist);
-    if (viscosity.rate > 0.0) {
-        const Strain& before = (*viscosity.before)[joint];
-        change += viscosity.rate * Vector3(strain.curvature[0] - before.curvature[0], strain.curvature[1] - before.curvature[1],
-                                           strain.twist - before.twist);
-    }
+    Strain change = beyond_rest(joint, strain);
+    if (viscosity.rate > 0.0) change += viscosity.rate * (strain - (*viscosity.before)[joint]);
     return bending_and_twisting(joint).cwiseProduct(change);
 }
 
 double Chain::energy(const Shape& shape) const {
     double sum = 0.0;
     for (int i = 0; i < edges(); ++i) {
-        const double stretch = strained_by(shape, i), natural = setup_.natural_curvature[i] * joint_length(i);
-        const Strain bent = strain(shape, i);
-        const Vector3 change(bent.curvature[0] - natural, bent.curvature[1], bent.twist);
+        const double stretch = strained_by(shape, i);
         sum += 0.5 * setup_.section.stretching * edge_length_ * stretch * stretch +
-               0.5 * bending_and_twisting(i).dot(change.cwiseAbs2());
+               0.5 * bending_and_twisting(i).dot(beyond_rest(i, strain(shape, i)).cwiseAbs2());
     }
     return sum;
 }
@@ -125,7 +127,7 @@ double Chain::energy(const Shape& shape) const {
 // visit(i, joint, f) for each joint from the base on; f is the edge that begins there.
 template <class Visit>
 void Chain::each_joint(const Shape& shape, Visit visit) const {
-    Edge e = edge_before(shape, 0);
+    Edge e = edge_before(shape, 0, edge(shape, 0));
     for (int i = 0; i < edges(); ++i) {
         const Edge f = edge(shape, i);
         visit(i, Joint(e, f, twist(shape, i)), f);
@@ -151,7 +153,7 @@ void Chain::linearise(const Shape& shape, const std::vector<double>& tensions, c
         const Joint::Gradients g = joint.gradients();
         add_joint(i, g.weighed(moment), gradient);
 
-        JointMatrix h = joint.hessian(moment.head<2>(), moment[2]);
+        JointMatrix h = joint.hessian(moment);
         h.noalias() += stiffness[0] * g.first * g.first.transpose();
         h.noalias() += stiffness[1] * g.second * g.second.transpose();
         h.noalias() += stiffness[2] * g.twist * g.twist.transpose();

@@ -9,6 +9,8 @@
 
 namespace stylet::rod {
 
+using Vector2 = Eigen::Vector2d;
+
 /// What the rod is made of, all along it.
 struct Section {
     double stretching;    // [N] EA
@@ -20,7 +22,7 @@ struct ChainSetup {
     int edges;
     double length;    // [m]
     Section section;
-    bool clamped;    // the base holds the direction of the first edge; else it is pinned. It always holds its twist.
+    bool clamped;    // the base holds the first edge's direction and twist; else it is pinned, and holds its spin alone
     std::vector<double> natural_curvature;    // [1/m] toward the first director, of each of the `edges` joints
 };
 
@@ -86,7 +88,9 @@ public:
 
 private:
     [[nodiscard]] Edge edge(const Shape& shape, int i) const;
-    [[nodiscard]] Edge edge_before(const Shape& shape, int joint) const;
+    [[nodiscard]] bool hinged(int joint) const { return joint == 0 && !setup_.clamped; }
+    [[nodiscard]] Strain beyond_rest(int joint, const Strain& strain) const;
+    [[nodiscard]] Edge edge_before(const Shape& shape, int joint, const Edge& after) const;
     [[nodiscard]] double twist(const Shape& shape, int joint) const;    // [rad]
     template <class Visit>
     void each_joint(const Shape& shape, Visit visit) const;

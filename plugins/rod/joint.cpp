@@ -23,11 +23,11 @@ Joint::Joint(const Edge& e, const Edge& f, double twist)
       chi_(1.0 + e.tangent.dot(f.tangent)),
       binormal_(2.0 / chi_ * e.tangent.cross(f.tangent)),
       mean_((e.tangent + f.tangent) / chi_),
-      strain_{.curvature = {0.5 * binormal_.dot(e.second + f.second), -0.5 * binormal_.dot(e.first + f.first)}, .twist = twist} {}
+      strain_(0.5 * binormal_.dot(e.second + f.second), -0.5 * binormal_.dot(e.first + f.first), twist) {}
 
 Joint::Gradients Joint::gradients() const {
     const Vector3 first = (e_.first + f_.first) / chi_, second = (e_.second + f_.second) / chi_;
-    const Vector2& k = strain_.curvature;
+    const Strain& k = strain_;
     Gradients g;
     g.first << (f_.tangent.cross(second) - k[0] * mean_) / e_.length, -0.5 * binormal_.dot(e_.first),
         -(e_.tangent.cross(second) + k[0] * mean_) / f_.length, -0.5 * binormal_.dot(f_.first);
@@ -37,18 +37,18 @@ Joint::Gradients Joint::gradients() const {
     return g;
 }
 
-JointMatrix Joint::hessian(const Vector2& moment, double torque) const {
+JointMatrix Joint::hessian(const Vector3& moments) const {
     JointMatrix h = JointMatrix::Zero();
-    add_bending(moment, h);
-    if (torque != 0.0) add_twisting(torque, h);    // a needle whose tip is free to turn is hardly ever twisted
+    add_bending(moments, h);
+    if (moments[2] != 0.0) add_twisting(moments[2], h);    // a needle whose tip is free to turn is hardly ever twisted
     return h;
 }
 
 // κ = b·(qe + qf)/2 is both curvatures weighed by their moments: its second derivatives are linear in q = M1 d2 − M2 d1.
-void Joint::add_bending(const Vector2& moment, JointMatrix& h) const {
-    const Vector3 qe = moment[0] * e_.second - moment[1] * e_.first, qf = moment[0] * f_.second - moment[1] * f_.first;
-    const Vector3 turned_e = -moment[0] * e_.first - moment[1] * e_.second;    // dqe/dθe
-    const Vector3 turned_f = -moment[0] * f_.first - moment[1] * f_.second;
+void Joint::add_bending(const Vector3& moments, JointMatrix& h) const {
+    const Vector3 qe = moments[0] * e_.second - moments[1] * e_.first, qf = moments[0] * f_.second - moments[1] * f_.first;
+    const Vector3 turned_e = -moments[0] * e_.first - moments[1] * e_.second;    // dqe/dθe
+    const Vector3 turned_f = -moments[0] * f_.first - moments[1] * f_.second;
     const Vector3 q = (qe + qf) / chi_;
     const Vector3 across_e = f_.tangent.cross(q), across_f = e_.tangent.cross(q);
     const double k = 0.5 * binormal_.dot(qe + qf), le = e_.length, lf = f_.length;

@@ -5,8 +5,6 @@
 
 namespace stylet::rod {
 
-using Vector2 = Eigen::Vector2d;
-
 /// An edge as a joint sees it.
 struct Edge {
     Vector3 tangent;          // unit
@@ -18,22 +16,18 @@ struct Edge {
 using JointVector = Eigen::Matrix<double, 8, 1>;
 using JointMatrix = Eigen::Matrix<double, 8, 8>;
 
-/// The discrete curvature κ of a joint in the material's directors and its twist m,
+/// What a joint is strained by: the discrete curvature κ1, κ2 in the material's directors and the twist m,
 ///
 ///     b = 2 te × tf/(1 + te·tf)      κ1 = b·(d2e + d2f)/2      κ2 = −b·(d1e + d1f)/2      m = θf − θe + m_ref
 ///
 /// dimensionless: κ and m over the joint's own length are curvature [1/m] and twist rate [rad/m]. κ1 > 0 turns toward d1, κ2 > 0
 /// toward d2. Source: Bergou, Wardetzky, Robinson, Audoly, Grinspun 2008; Bergou et al. 2010 for the derivatives, which hold
 /// where a change of an edge transports its directors in parallel.
-struct Strain {
-    Vector2 curvature;
-    double twist;
-};
+using Strain = Vector3;
 
 class Joint {
 public:
-    /// `twist` [rad] is m: the directors alone don't tell how many turns they have made. Edges may not be opposite to each other,
-    /// and outlive the joint.
+    /// `twist` [rad] is m: the directors alone don't tell how many turns they have made. Edges may not be opposite to each other.
     Joint(const Edge& e, const Edge& f, double twist);
 
     [[nodiscard]] const Strain& strain() const { return strain_; }
@@ -48,14 +42,14 @@ public:
     };
     [[nodiscard]] Gradients gradients() const;
 
-    /// moment1 ∇²κ1 + moment2 ∇²κ2 + torque ∇²m; the moments [N·m] are the joint's own.
-    [[nodiscard]] JointMatrix hessian(const Vector2& moment, double torque) const;
+    /// moments1 ∇²κ1 + moments2 ∇²κ2 + moments3 ∇²m; the moments [N·m] are the joint's own.
+    [[nodiscard]] JointMatrix hessian(const Vector3& moments) const;
 
 private:
-    void add_bending(const Vector2& moment, JointMatrix& h) const;
+    void add_bending(const Vector3& moments, JointMatrix& h) const;
     void add_twisting(double torque, JointMatrix& h) const;
 
-    const Edge &e_, &f_;
+    Edge e_, f_;
     double chi_;          // 1 + te·tf
     Vector3 binormal_;    // b
     Vector3 mean_;        // (te + tf)/χ

@@ -11,11 +11,14 @@ inline constexpr Parameter parameters[] = {
            "Poisson's ratio of the needle, for its twisting"),
     number("imperfection", "m", positive,
            "height of the stress-free needle's bow, a (1 - cos(2 pi s/L))/2: from which side it buckles, and how sharply"),
-    optional(number("natural_curvature", "1/m", any,
-                    "curvature of the stress-free needle, toward the side to which it bows; left out: straight")),
-    optional(number("bevel_angle", "rad", {.least = 0.0, .greatest = 1.5707963267948966, .open_below = true},
-                    "between the bevel's face and the axis; the tip cuts along the bisector of the two, toward the side to which "
-                    "the needle bows; left out: it cuts straight on")),
+    optional(
+        number("natural_curvature", "1/m", any,
+               "curvature of the stress-free needle, toward the side to which it bows, away from the line that its base points "
+               "along; left out: straight")),
+    optional(
+        number("bevel_cut_angle", "rad", {.least = 0.0, .greatest = 0.5235987755982989, .open_below = true},
+               "by which a bevelled tip cuts aside of its axis, toward the side to which the needle bows, as measured for this "
+               "bevel and tissue: sharper ones cut further aside; left out: it cuts straight on")),
     optional(number("damping_time", "s", positive,
                     "retardation time of Kelvin-Voigt damping in bending and twisting; left out: no damping")),
 };

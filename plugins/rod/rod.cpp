@@ -16,6 +16,7 @@ using std::numbers::pi;
 
 // [rad] Where a pinned column meets itself (its elastica's end slope).
 constexpr double touches_itself = 130.7 * pi / 180.0;
+constexpr double most_imperfect = 1e-3;              // of the length
 constexpr double bows = 1e-2, straightens = 5e-3;    // of the free length
 // A change of the axial force that could bring the next linearisation to another branch, in EI/L²: the least critical load
 // is 2.47.
@@ -28,6 +29,11 @@ ChainSetup chain_of(const Setup& setup) {
                     "found 'clamped-clamped', wanted one whose far end is free or pinned: a rod's tip is held by "
                     "what it touches, and what it touches holds no direction");
     const Parameters& given = setup.parameters;
+    const double imperfection = given.number("imperfection");    // [m]
+    if (imperfection > most_imperfect * needle.length)
+        throw Error("imperfection", "found a bow of " + std::to_string(imperfection / needle.length) +
+                                        " of the needle's length, wanted at most a thousandth: what is bent on purpose has a "
+                                        "natural_curvature");
     const int edges = static_cast<int>(given.integer("nodes")) - 1;
     const double shear_modulus = needle.youngs_modulus / (2.0 * (1.0 + given.number("poisson_ratio")));    // [Pa]
     ChainSetup chain{.edges = edges,
@@ -41,7 +47,7 @@ ChainSetup chain_of(const Setup& setup) {
     const double wave = 2.0 * pi / needle.length;
     for (int i = 0; i < edges; ++i) {    // w'' of a (1 − cos(2πs/L))/2
         const double s = needle.length * i / edges;
-        chain.natural_curvature.push_back(curvature + 0.5 * given.number("imperfection") * wave * wave * std::cos(wave * s));
+        chain.natural_curvature.push_back(curvature + 0.5 * imperfection * wave * wave * std::cos(wave * s));
     }
     return chain;
 }
@@ -53,7 +59,7 @@ Rod::Rod(const Setup& setup)
       chain_(chain_of(setup)),
       edge_mass_(setup.parameters.number("density") * needle_.area() * chain_.edge_length()),
       retardation_(setup.parameters.has("damping_time") ? setup.parameters.number("damping_time") : 0.0),
-      cut_angle_(setup.parameters.has("bevel_angle") ? 0.5 * setup.parameters.number("bevel_angle") : 0.0),
+      cut_angle_(setup.parameters.has("bevel_cut_angle") ? setup.parameters.number("bevel_cut_angle") : 0.0),
       tangent_(chain_.unknowns()),
       imbalance_(VectorX::Zero(chain_.unknowns())),
       step_(VectorX::Zero(chain_.unknowns())),
@@ -64,7 +70,6 @@ Rod::Rod(const Setup& setup)
       spots_(max_contacts),
       free_(VectorX::Zero(3 * max_contacts)),
       compliance_(MatrixX::Zero(3 * max_contacts, 3 * max_contacts)) {
-    const Strain none{.curvature = Vector2::Zero(), .twist = 0.0};
     trial_.free_length = needle_.length;
     trial_.shape = chain_.straight();
     lay(trial_.shape);
@@ -72,7 +77,8 @@ Rod::Rod(const Setup& setup)
     for (auto* places : {&trial_.start, &trial_.coasting, &trial_.places, &trial_.inertia})
         places->assign(chain_.nodes(), Vector3::Zero());
     trial_.viscous.assign(chain_.edges(), Vector3::Zero());
-    trial_.strains.assign(chain_.edges(), none);
+    trial_.elastic = VectorX::Zero(chain_.unknowns());
+    trial_.strains.assign(chain_.edges(), Strain::Zero());
     for (int i = 0; i < chain_.edges(); ++i) trial_.strains[i] = chain_.strain(trial_.shape, i);
     trial_.bent = trial_.strains;
     trial_.energy.stored = chain_.energy(trial_.shape);
@@ -214,17 +220,30 @@ void Rod::add_contacts(ContactPoints points, Forces forces, VectorX& load) const
 }
 
 StepReport Rod::try_step(ContactPoints points, Forces forces) {
+    const double turned = advance(points, forces);
+    add_up(points, forces);
+    const double residual = left_over(points, forces);
+    const double scale = needle_.bending_stiffness() / (needle_.length * needle_.length);    // [N]
+    return {.residual = residual <= rounding() ? 0.0 : residual, .tangent_changed = !(turned <= noticeable * scale)};
+}
+
+// The Newton step under these forces. Returns the largest change of a tension [N].
+double Rod::advance(ContactPoints points, Forces forces) {
     change_ = -imbalance_;
     add_contacts(points, forces, change_);
     tangent_.solve(change_);
-    double turned = 0.0;    // [N]
+    double turned = 0.0;
     for (int i = 0; i < chain_.edges(); ++i) {
         const double tension = chain_.tension(trial_.shape, i) + chain_.tension_change(trial_.shape, change_, i);
         turned = std::max(turned, std::abs(tension - trial_.tensions[i]));
         trial_.tensions[i] = tension;
     }
     chain_.move(change_, trial_.shape);
+    return turned;
+}
 
+// What the contacts come to at the base.
+void Rod::add_up(ContactPoints points, Forces forces) {
     trial_.contact_force.setZero();
     trial_.contact_moment.setZero();
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -232,18 +251,32 @@ StepReport Rod::try_step(ContactPoints points, Forces forces) {
         trial_.contact_force += force;
         trial_.contact_moment += (place(trial_, spots_[i], points[i].arclength) - trial_.base.position).cross(force);
     }
+}
 
-    chain_.gradient(trial_.shape, viscosity(), change_);
+// [N] Largest imbalance of the trial shape; of the angles, the torque over an edge.
+double Rod::left_over(ContactPoints points, Forces forces) {
+    chain_.gradient(trial_.shape, {}, trial_.elastic);
+    change_ = trial_.elastic;
+    if (viscosity().rate > 0.0) chain_.gradient(trial_.shape, viscosity(), change_);
     add_inertia(change_);
     change_ = -change_;
     add_contacts(points, forces, change_);
-    double residual = 0.0;    // [N]; of the angles, the torque over an edge
+    double residual = 0.0;
     for (int i = 0; i < chain_.edges(); ++i) {
         residual = std::max(
             {residual, change_.segment<3>(4 * i).cwiseAbs().maxCoeff(), std::abs(change_[4 * i + 3]) / chain_.edge_length()});
     }
-    const double scale = needle_.bending_stiffness() / (needle_.length * needle_.length);    // [N]
-    return {.residual = residual, .tangent_changed = !(turned <= noticeable * scale)};
+    return residual;
+}
+
+// [N] What no Newton step can better: displacements and directions are rounded, and short edges are stiff.
+double Rod::rounding() const {
+    constexpr double roundings = 8.0 * std::numeric_limits<double>::epsilon();    // a few add up
+    double largest = 0.0;                                                         // [m]
+    for (const Vector3& displacement : trial_.shape.displacement) largest = std::max(largest, displacement.cwiseAbs().maxCoeff());
+    const double edge = chain_.edge_length(), bending = needle_.bending_stiffness() / (edge * edge);    // [N] EI/ℓ²
+    const double stretching = chain_.setup().section.stretching;
+    return roundings * (1.0 + viscosity().rate) * ((stretching + bending) * largest / edge + bending);
 }
 
 double Rod::kinetic(const State& state) const {
@@ -257,25 +290,27 @@ double Rod::kinetic(const State& state) const {
 Vector3 Rod::viscous(int joint, const Strain& strain) const {
     const Viscosity now = viscosity();
     const Strain& before = trial_.strains[joint];
-    const Vector3 change(strain.curvature[0] - before.curvature[0], strain.curvature[1] - before.curvature[1],
-                         strain.twist - before.twist);
-    return now.rate * chain_.bending_and_twisting(joint).cwiseProduct(change);
+    return now.rate * chain_.bending_and_twisting(joint).cwiseProduct(strain - before);
 }
 
 EnergyReport Rod::energy() const {
     EnergyReport report = state_.energy;
     report.stored = chain_.energy(trial_.shape);
     report.kinetic = kinetic(trial_);
-    double work = 0.0;    // [J] on the masses since the last commit
+    if (!state_.placed) return report;
+    double work = 0.0;    // [J] on masses and edges since the last commit, by trapezoids
     for (int i = 0; i < chain_.nodes(); ++i)
         work += 0.5 * (state_.inertia[i] + inertia(trial_, i)).dot(place(trial_, i) - state_.places[i]);
-    if (state_.placed) report.numerical += work - (report.kinetic - state_.energy.kinetic);
+    for (int i = 1; i < chain_.nodes(); ++i) {
+        const Vector3 moved = trial_.shape.displacement[i] - state_.shape.displacement[i];
+        const int at = Chain::unknown_of(i);
+        work += 0.5 * (state_.elastic.segment<3>(at) + trial_.elastic.segment<3>(at)).dot(moved);
+    }
+    report.numerical += work - (report.kinetic - state_.energy.kinetic) - (report.stored - state_.energy.stored);
     if (retardation_ > 0.0) {
         for (int i = 0; i < chain_.edges(); ++i) {
-            const Strain now = chain_.strain(trial_.shape, i), &then = state_.bent[i];
-            const Vector3 change(now.curvature[0] - then.curvature[0], now.curvature[1] - then.curvature[1],
-                                 now.twist - then.twist);
-            report.damping += 0.5 * (state_.viscous[i] + viscous(i, now)).dot(change);
+            const Strain now = chain_.strain(trial_.shape, i);
+            report.damping += 0.5 * (state_.viscous[i] + viscous(i, now)).dot(now - state_.bent[i]);
         }
     }
     return report;
@@ -319,7 +354,7 @@ Vector3 Rod::tangent(double arclength) const {
     return trial_.base.rotation * Vector3(local.normalized());
 }
 
-// A bevelled tip cuts along the bisector of its face and its back: the wedge goes where it meets the least.
+// A bevelled tip pushes itself aside of its axis as it cuts.
 Vector3 Rod::held_tangent(double arclength) const {
     const Vector3 along = tangent(arclength);
     if (cut_angle_ == 0.0 || arclength < needle_.length) return along;
@@ -372,5 +407,7 @@ STYLET_PLUGIN(
     .validity =
         "Slender elastic needles, bends of any size until the needle would meet itself. Second order in the spacing of the "
         "nodes: "
-        "Euler's load is 0.13 % low at 41 nodes. Leaves out shear, gravity, plastic bending and contact of the needle with "
+        "Euler's load is 0.13 % low at 41 nodes. The tip is held by what it touches, whatever `ends` says of it, so "
+        "clamped-clamped "
+        "is refused. Leaves out shear, gravity, plastic bending and contact of the needle with "
         "itself")

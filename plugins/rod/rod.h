@@ -16,7 +16,7 @@ namespace stylet::rod {
 /// Where core solves again at the same instant (dt = 0), the step is taken again from where it began: nothing creeps, and a
 /// rupture within a tick has the tick's inertia.
 ///
-/// `numerical` is exactly what the integrator takes: the trapezoid work of the masses' forces less the change of kinetic energy.
+/// `numerical` is exactly what the integrator takes: the trapezoid work on masses and edges less the change of their energies.
 /// `buckled` is an observation: the free length bows by more than a hundredth of itself (until it is less than half of that)
 /// under more than Euler's load of a clamped-free one. Source: Bergou et al. 2008, 2010; backward Euler as Baraff and Witkin
 /// 1998.
@@ -60,6 +60,7 @@ private:
         std::vector<Vector3> inertia;    // [N] m (x − x̃)/dt²
         std::vector<Strain> bent;        // of the joints
         std::vector<Vector3> viscous;    // [N·m] of the joints
+        VectorX elastic;                 // ∇U of the shape, [N] and [N·m]
         EnergyReport energy;
     };
 
@@ -74,6 +75,10 @@ private:
     [[nodiscard]] double bow(const State& state) const;
     void add_inertia(VectorX& imbalance) const;
     void add_contacts(ContactPoints points, Forces forces, VectorX& load) const;
+    double advance(ContactPoints points, Forces forces);
+    void add_up(ContactPoints points, Forces forces);
+    double left_over(ContactPoints points, Forces forces);
+    [[nodiscard]] double rounding() const;
     void find_spots(ContactPoints points);
     void solve_columns(int count);
     void assemble(ContactPoints points);

@@ -20,7 +20,7 @@ Given damped() {
 
 Given bevelled() {
     Given with = damped();
-    with.set("bevel_angle", 0.4);
+    with.set("bevel_cut_angle", 0.2);
     with.set("nodes", std::int64_t{16});
     return with;
 }

@@ -9,7 +9,7 @@
 namespace stylet::contract {
 namespace {
 
-constexpr double balance = 1e-9;            // [N] the coupling's own tolerance is a thousand times that
+constexpr double balance = 1e-9;            // [N] the coupling's own tolerance
 constexpr int most_iterations = 100;        // a Newton step per branch and a few to close in takes ten
 constexpr double contact_spacing = 5e-3;    // [m] that of the prepared scenes
 constexpr double shaft_share = 0.1;         // of the tip's load, on each shaft contact
