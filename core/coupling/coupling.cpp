@@ -15,8 +15,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // step leaves an unstable branch.
 constexpr double first_shift = 0.25;
 constexpr double shift_growth = 2.0;
-// [N] A needle past its limit load that its tissue holds is stable where its boxed rows are not convex. Far from balance Newton
-// takes convex steps all the same.
+// Of the largest force. A needle past its limit load that its tissue holds is stable where its boxed rows are not convex. Far
+// from balance Newton takes convex steps all the same.
 constexpr double nearly_balanced = 1e-2;
 constexpr int most_shifts = 32;    // 2³²/(4 dt²): far stiffer than any needle
 
@@ -87,7 +87,8 @@ bool Coupling::solve_linearised(NeedleModel& needle, TissueModel& tissue, Contac
         assemble(bodies, contacts);
         const BoxProblem::Outcome box = solve_box(contacts, mouth, most_advance);
         const bool stable = box.solved && box.negatives == bodies.needle.negatives + bodies.tissue.negatives;
-        const bool close = report.linearisations == 0 || report.residual < nearly_balanced;
+        // Before the first step nothing is known to be out of balance: a tick begins where the last one was balanced.
+        const bool close = report.residual <= nearly_balanced * largest_force();
         if (stable && (box.convex || close)) {
             ++report.linearisations;
             hand_out(contacts);
@@ -98,6 +99,10 @@ bool Coupling::solve_linearised(NeedleModel& needle, TissueModel& tissue, Contac
         shift_ = shift_ == 0.0 ? first_shift / (dt * dt) : shift_ * shift_growth;
     }
     return false;
+}
+
+double Coupling::largest_force() const {
+    return rows_ > 0 ? lambda_.head(rows_).cwiseAbs().maxCoeff() : 0.0;
 }
 
 // Lateral rows first: they are eliminated before the boxes are looked at.

@@ -66,6 +66,7 @@ private:
     };
     bool solve_linearised(NeedleModel& needle, TissueModel& tissue, ContactSet& contacts, Mouth mouth, double most_advance,
                           double dt, CouplingReport& report);
+    [[nodiscard]] double largest_force() const;    // [N] of the last box problem
     void number_rows(const ContactSet& contacts);
     void assemble(const Views& bodies, const ContactSet& contacts);
     void add_own_forces(const Views& bodies, const ContactSet& contacts);

@@ -32,6 +32,11 @@ constexpr int steps_in = 64;
 constexpr int rests = 8;
 constexpr double rest = 1.0;    // [s]
 
+bool moves(const EnergyReport& energy) {
+    constexpr double hardly = 1e-9;    // of what is stored
+    return energy.kinetic > hardly * energy.stored;
+}
+
 bool makes_sense(const Pose& pose) {
     return pose.finite() && pose.position.cwiseAbs().maxCoeff() < farthest;
 }
@@ -83,7 +88,7 @@ void Simulation::begin(const Pose& first) {
     for (int i = 1; i <= steps_in && !lost_ && base_.position != first.position; ++i) {
         lost_ = !move_to(between(base_, first, 1.0 / (steps_in + 1 - i)), dt_, 0);
     }
-    for (int i = 0; i < rests && !lost_ && needle_.energy().kinetic > 0.0; ++i) lost_ = !move_to(base_, rest, 0);
+    for (int i = 0; i < rests && !lost_ && moves(needle_.energy()); ++i) lost_ = !move_to(base_, rest, 0);
     travel_ = 0.0;
     now_ = 0.0;
     if (lost_) raise("not converged");
