@@ -159,6 +159,7 @@ std::string cost_text(const FinishedRun& run) {
     Table table({Align::left, Align::left});
     table.add({"tick", fmt::format("median {}, p99 {}, worst {}", microseconds(report.tick_us.median),
                                    microseconds(report.tick_us.p99), microseconds(report.tick_us.max))});
+    if (report.lost_ticks > 0) table.add({"lost", fmt::format("no equilibrium in {} ticks", report.lost_ticks)});
     table.add({"simulated", fmt::format("{} in {} ticks{}", seconds(report.duration), report.ticks,
                                         report.stopped ? ", then stopped before the scene was over" : "")});
     table.add({"recording", run.recording});

@@ -125,6 +125,7 @@ std::string summary_json(const FinishedRun& run) {
                             {"tick_us", {{"median", number(tick.median)}, {"p99", number(tick.p99)}, {"max", number(tick.max)}}},
                             {"stopped", report.stopped},
                             {"ticks", report.ticks},
+                            {"lost_ticks", report.lost_ticks},
                             {"duration", number(report.duration)},
                             {"libraries", report.libraries}};
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";

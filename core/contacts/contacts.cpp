@@ -108,7 +108,7 @@ void Contacts::arrange(const NeedleModel& needle, const TissueModel& tissue, Eff
 
 ContactRow Contacts::tip_row(TipState tip, const ContactPoint& point, const NeedleModel& needle, const TissueModel& tissue,
                              Effects effects, double time) const {
-    const Vector3 axis = needle.held_tangent(length_);
+    const Vector3 axis = needle.cut_direction(length_);
     const Contact contact{.tip = true,
                           .inside = tip == TipState::inside,
                           .layer = tissue.locate(point.material).layer,
@@ -251,7 +251,7 @@ ContactChange Contacts::absorb(const NeedleModel& needle, const TissueModel& tis
     if (row.axial_force >= row.upper && row.advance > 0.0) {
         tip_ = TipState::inside;
         way_ = 0.0;
-        track_.begin(touch_, needle.held_tangent(length_));
+        track_.begin(touch_, needle.cut_direction(length_));
         ContactChange change = absorb_inside(needle, tissue, set);
         change.punctured = true;
         change.event = "punctured";
@@ -273,7 +273,7 @@ ContactChange Contacts::absorb_inside(const NeedleModel& needle, const TissueMod
         change.event = "withdrawn";
         return change;
     }
-    change.cut = track_.reach(way_, needle.held_tangent(length_));
+    change.cut = track_.reach(way_, needle.cut_direction(length_));
     const int layer = tissue.locate(track_.material(way_)).layer;
     const bool now_outside = layer == outside;
     if (now_outside && !outside_) {

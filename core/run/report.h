@@ -75,7 +75,8 @@ struct RunReport {
     std::optional<RealTimeReport> real_time;    // of a run on the wall clock
     bool stopped = false;                       // before the scene was over
     std::size_t ticks = 0;
-    double duration = 0.0;    // [s]
+    std::size_t lost_ticks = 0;    // of them, those that found no equilibrium
+    double duration = 0.0;         // [s]
     std::vector<std::string> libraries;
 };
 

@@ -38,6 +38,7 @@ void Reporter::take(const Simulation& simulation, double duration) {
     }
     patches_.take(simulation);
     if (!simulation.ever_punctured()) report_.ledger.relative_pushing = relative(simulation.ledger());
+    if (simulation.lost()) ++report_.lost_ticks;
     if (++ticks_ > warm_up_) durations_.add(duration);
 }
 

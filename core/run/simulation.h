@@ -71,6 +71,7 @@ public:
     [[nodiscard]] const ContactSet* contacts() const { return lost_ || faulted() ? nullptr : &set_; }
     [[nodiscard]] bool ever_touched() const { return ever_touched_; }
     [[nodiscard]] bool ever_punctured() const { return ever_punctured_; }
+    [[nodiscard]] bool lost() const { return lost_; }    // the last tick found no equilibrium
     [[nodiscard]] bool faulted() const { return chain_.faulted(); }
 
 private:

@@ -16,9 +16,10 @@ inline constexpr Parameter parameters[] = {
                "curvature of the stress-free needle, toward the side to which it bows, away from the line that its base points "
                "along; left out: straight")),
     optional(
-        number("bevel_cut_angle", "rad", {.least = 0.0, .greatest = 0.5235987755982989, .open_below = true},
+        number("bevel_cut_angle", "rad", {.least = 0.0, .greatest = 0.17453292519943295, .open_below = true},
                "by which a bevelled tip cuts aside of its axis, toward the side to which the needle bows, as measured for this "
-               "bevel and tissue: sharper ones cut further aside; left out: it cuts straight on")),
+               "bevel and tissue: sharper ones cut further aside; further aside than ten degrees no track would hold the tip; "
+               "left out: it cuts straight on")),
     optional(number("damping_time", "s", positive,
                     "retardation time of Kelvin-Voigt damping in bending and twisting; left out: no damping")),
 };

@@ -355,9 +355,9 @@ Vector3 Rod::tangent(double arclength) const {
 }
 
 // A bevelled tip pushes itself aside of its axis as it cuts.
-Vector3 Rod::held_tangent(double arclength) const {
-    const Vector3 along = tangent(arclength);
-    if (cut_angle_ == 0.0 || arclength < needle_.length) return along;
+Vector3 Rod::cut_direction(double length) const {
+    const Vector3 along = tangent(length);
+    if (cut_angle_ == 0.0) return along;
     const int last = chain_.edges() - 1;
     const Vector3 axis = trial_.base.rotation.conjugate() * along;
     const Vector3& reference = trial_.shape.reference[last];

@@ -33,7 +33,7 @@ public:
 
     Vector3 position(double arclength) const override { return place(trial_, Spot::at(chain_, arclength), arclength); }
     Vector3 tangent(double arclength) const override;
-    Vector3 held_tangent(double arclength) const override;
+    Vector3 cut_direction(double length) const override;
     Wrench base_wrench() const override { return state_.wrench; }
     NeedleState state() const override;
     void centreline(std::span<Vector3> points) const override;

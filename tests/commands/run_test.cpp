@@ -62,7 +62,7 @@ TEST(Run, JsonHasTheShapeThatScriptsRelyOn) {
     const ordered_json json = ordered_json::parse(run.out);
     EXPECT_THAT(keys_of(json), ElementsAre("title", "scene", "hash", "recording", "series", "events", "unlisted_events",
                                            "peak_hand_force", "largest_deflection", "buckling", "ledger", "loads", "hand",
-                                           "real_time", "tick_us", "stopped", "ticks", "duration", "libraries"));
+                                           "real_time", "tick_us", "stopped", "ticks", "lost_ticks", "duration", "libraries"));
     EXPECT_EQ(json["title"], "Fig. 10(a): L = 200 mm");
     ASSERT_FALSE(json["events"].empty());
     EXPECT_THAT(keys_of(json["events"][0]), ElementsAre("name", "time", "travel", "depth", "hand_force"));

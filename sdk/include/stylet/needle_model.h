@@ -31,6 +31,9 @@ public:
     [[nodiscard]] virtual Vector3 held_position(double arclength) const { return position(arclength); }
     [[nodiscard]] virtual Vector3 held_tangent(double arclength) const { return tangent(arclength); }
 
+    /// Unit, the way in which the tip cuts, and slides back: straight on for most, aside of its axis for a bevelled one.
+    [[nodiscard]] virtual Vector3 cut_direction(double length) const { return held_tangent(length); }
+
     /// The configurational force with which the mouth of the track pushes the needle out because a longer free length stores its
     /// bow more cheaply: −∂U/∂L at fixed shortening [N], of the latest trial state (Bigoni et al. 2015). Zero for most needles.
     [[nodiscard]] virtual double entry_force() const { return 0.0; }
