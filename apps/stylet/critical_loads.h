@@ -30,22 +30,27 @@ struct LoadQuestion {
 
 /// One model's answers for one scene.
 struct LoadCurve {
-    std::string model{};                   // its label
-    std::vector<double> loads{};           // [N] at each point
-    std::vector<double> stiffness{};       // [Pa] at each point, where it was asked for
-    std::optional<double> at_surface{};    // [N] where the tip is about to puncture; none where a key varies
-    std::vector<double> crossings{};       // where the load changes sides with the puncture force, in the unit of the axis
+    std::string model{};                       // its label
+    std::vector<double> loads{};               // [N] at each point; NaN where the model knows air alone and none is left
+    std::vector<double> stiffness{};           // [Pa] at each point, where it was asked for
+    std::optional<double> at_surface{};        // [N] where the tip is about to puncture; none where a key varies
+    std::vector<double> crossings{};           // where the load changes sides with the puncture force, in the unit of the axis
+    std::vector<double> inside_crossings{};    // where it changes sides with the insertion force
 };
 
 struct SceneLoads {
     std::string file;    // as the user named it
+    std::string name;    // the file's without its ending, and as much of its folder as tells it from the others
     std::string title;
     std::string hash;
     NeedleSetup needle;
-    std::string gauge;    // empty where the scene gives radii
+    std::string gauge;          // empty where the scene gives radii
+    std::string needle_type;    // the plugin
+    bool has_buckling;          // a run of the scene asks a buckling model
     bool has_tissue;
-    std::vector<double> points;      // in the unit of the axis
-    std::vector<double> puncture;    // [N] force at which the tip punctures, at each point; infinite where nothing limits it
+    std::vector<double> points;       // in the unit of the axis
+    std::vector<double> puncture;     // [N] force at which the tip punctures, at each point; infinite where nothing limits it
+    std::vector<double> insertion;    // [N] force at which the needle goes on inside, at each point; infinite where it cannot
     std::vector<LoadCurve> curves;
     std::optional<double> reference{};    // [N] a known load
 
@@ -53,10 +58,12 @@ struct SceneLoads {
 };
 
 struct CriticalLoads {
-    std::string axis;      // "depth", or the varied key
+    std::string axis;      // "inserted", or the varied key
     std::string unit;      // of the axis; empty where it has none
     bool along_depth;      // or else along the varied key, at `depth`
-    double depth = 0.0;    // [m]
+    bool whole;            // the insertion, from its beginning to its end
+    bool stiffness;        // Eq. (3)'s was asked for
+    double depth = 0.0;    // [m] inserted
     std::vector<SceneLoads> scenes;
 
     /// Of all scenes, in the order of their appearance.

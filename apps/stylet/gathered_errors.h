@@ -21,8 +21,12 @@ public:
             }
         }
     }
-    void throw_if_any() const {
-        if (!messages_.empty()) throw core::SceneErrors(messages_);
+    /// With a `hint` after the last of them.
+    void throw_if_any(const std::string& hint = "") const {
+        if (messages_.empty()) return;
+        std::vector<std::string> messages = messages_;
+        messages.back() += hint;
+        throw core::SceneErrors(messages);
     }
 
 private:

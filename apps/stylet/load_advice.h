@@ -19,7 +19,7 @@ struct LoadAdvice {
 /// One or two plain sentences on one model: "euler: the needle buckles at 0.6422 N, before its tip punctures at 1 N. …"
 [[nodiscard]] std::string advice_text(const LoadCurve& curve, const SceneLoads& scene, const CriticalLoads& loads);
 
-/// "0.6422 N", four digits that count; "unlimited" where it is infinite.
+/// "0.6422 N" or "3.852 µN", four digits that count; "unlimited" where it is infinite, "–" where it is no number.
 [[nodiscard]] std::string significant(double value, const std::string& unit);
 
 /// "30 mm"

@@ -83,10 +83,6 @@ void dot_what_agrees(std::vector<Curve>& curves) {
     }
 }
 
-bool with_stiffness(const CriticalLoads& loads) {
-    return !loads.scenes.front().curves.front().stiffness.empty();
-}
-
 /// What tells this curve from the others: its model, its scene, or both.
 std::string name_of(const LoadCurve& curve, const SceneLoads& scene, const CriticalLoads& loads) {
     if (loads.scenes.size() == 1) return curve.model;
@@ -97,10 +93,10 @@ std::vector<Curve> curves_of(const SceneLoads& scene, const CriticalLoads& loads
     std::vector<Curve> curves;
     for (const LoadCurve& curve : scene.curves) {
         const std::string name = name_of(curve, scene, loads);
-        curves.push_back(with_stiffness(loads) ? curve_of(name, scene.points, curve.stiffness, 1.0 / kilo)
-                                               : curve_of(name, scene.points, curve.loads, 1.0));
+        curves.push_back(loads.stiffness ? curve_of(name, scene.points, curve.stiffness, 1.0 / kilo)
+                                         : curve_of(name, scene.points, curve.loads, 1.0));
     }
-    if (loads.along_depth && !with_stiffness(loads)) {
+    if (loads.along_depth && !loads.stiffness) {
         const double top = ceiling(curves, scene);
         for (Curve& curve : curves) cut(curve, top);
     }
@@ -111,7 +107,7 @@ std::vector<Curve> curves_of(const SceneLoads& scene, const CriticalLoads& loads
 /// One for all scenes that puncture alike.
 std::vector<Curve> puncture_curves(const CriticalLoads& loads) {
     std::vector<Curve> curves;
-    if (with_stiffness(loads) || (!loads.along_depth && loads.depth > 0.0)) return curves;
+    if (loads.stiffness || (!loads.along_depth && loads.depth > 0.0)) return curves;
     for (const SceneLoads& scene : loads.scenes) {
         const Curve curve = curve_of("tip punctures", scene.points, scene.puncture, 1.0);
         if (curve.points.empty()) continue;
@@ -134,8 +130,8 @@ Figure figure_of(const CriticalLoads& loads) {
         throw Failure(ExitCode::wrong_command,
                       "--plot: found one point of each curve, wanted an interval such as --depth 0..50mm");
     Figure figure;
-    figure.x_label = with_unit(loads.along_depth ? "Tip depth" : loads.axis, loads.unit);
-    figure.y_label = with_stiffness(loads) ? "Foundation stiffness by Eq. (3) (kPa)" : "Critical load (N)";
+    figure.x_label = with_unit(loads.along_depth ? "Inserted length" : loads.axis, loads.unit);
+    figure.y_label = loads.stiffness ? "Foundation stiffness by Eq. (3) (kPa)" : "Critical load (N)";
     const bool one_scene = loads.scenes.size() == 1, one_model = loads.models().size() == 1;
     figure.title = one_scene ? loads.scenes.front().title : one_model ? loads.models().front() : "";
     for (const SceneLoads& scene : loads.scenes) std::ranges::move(curves_of(scene, loads), std::back_inserter(figure.curves));

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <filesystem>
 
 namespace stylet::app {
 namespace {
@@ -29,10 +28,14 @@ ordered_json numbers(const std::vector<double>& values) {
 
 ordered_json needle_json(const SceneLoads& scene) {
     const NeedleSetup& needle = scene.needle;
-    return {{"length", needle.length},
+    return {{"type", scene.needle_type},
+            {"length", needle.length},
             {"radius", needle.radius},
             {"inner_radius", needle.inner_radius},
             {"gauge", scene.gauge.empty() ? ordered_json(nullptr) : ordered_json(scene.gauge)},
+            {"youngs_modulus", needle.youngs_modulus},
+            {"ends", word_of(needle.ends)},
+            {"buckling_model_in_runs", scene.has_buckling},
             {"bending_stiffness", needle.bending_stiffness()}};
 }
 
@@ -44,6 +47,7 @@ ordered_json curve_json(const LoadCurve& curve, const SceneLoads& scene, const C
                       {"load_at_surface", number(curve.at_surface)},
                       {"buckles_first", advice.buckles_first ? ordered_json(*advice.buckles_first) : ordered_json(nullptr)},
                       {"crossings", numbers(curve.crossings)},
+                      {"inside_crossings", numbers(curve.inside_crossings)},
                       {"least_load", number(advice.least)},
                       {"least_at", number(advice.least_at)}};
     if (scene.reference) json["deviation"] = number(curve.loads.front() / *scene.reference - 1.0);
@@ -56,6 +60,11 @@ std::string cell(const std::string& text) {
     std::string quoted = "\"";
     for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
     return quoted + "\"";
+}
+
+/// What is no number has an empty cell.
+std::string value(double number) {
+    return std::isnan(number) ? "" : fmt::format("{}", number);
 }
 
 std::string with_unit(const std::string& name, const std::string& unit) {
@@ -76,9 +85,14 @@ std::string loads_json(const CriticalLoads& loads) {
                           {"reference", number(scene.reference)},
                           {"axis", numbers(scene.points)},
                           {"puncture_force", numbers(scene.puncture)},
+                          {"insertion_force", numbers(scene.insertion)},
                           {"models", curves}});
     }
-    const ordered_json json{{"axis", {{"name", loads.axis}, {"unit", loads.unit}}},
+    const ordered_json units{
+        {"length", "m"}, {"radius", "m"},     {"inner_radius", "m"}, {"youngs_modulus", "Pa"}, {"bending_stiffness", "N m^2"},
+        {"load", "N"},   {"stiffness", "Pa"}, {"depth", "m"},        {"puncture_force", "N"},  {"insertion_force", "N"}};
+    const ordered_json json{{"units", units},
+                            {"axis", {{"name", loads.axis}, {"unit", loads.unit}}},
                             {"depth", loads.along_depth ? ordered_json(nullptr) : number(loads.depth)},
                             {"scenes", scenes}};
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
@@ -86,20 +100,31 @@ std::string loads_json(const CriticalLoads& loads) {
 
 std::string loads_csv(const CriticalLoads& loads) {
     const std::vector<std::string> models = loads.models();
-    std::string text = "scene," + with_unit(loads.axis, loads.unit) + ",puncture [N]";
+    std::string text = "scene," + with_unit(loads.axis, loads.unit) + ",puncture [N],insertion [N]";
     for (const std::string& model : models) {
         text += "," + with_unit(model, "N");
-        if (!loads.scenes.front().curves.front().stiffness.empty()) text += "," + with_unit(model + " mu", "Pa");
+        if (loads.stiffness) text += "," + with_unit(model + " mu", "Pa");
+    }
+    const bool known = loads.scenes.front().reference.has_value();
+    if (known) {
+        text += ",known [N]";
+        for (const std::string& model : models) text += "," + cell(model + " deviation");
     }
     text += "\n";
     for (const SceneLoads& scene : loads.scenes) {
         for (std::size_t i = 0; i < scene.points.size(); ++i) {
-            text += fmt::format("{},{},{}", cell(std::filesystem::path(scene.file).stem().string()), scene.points[i],
-                                scene.puncture[i]);
+            text += fmt::format("{},{},{},{}", cell(scene.name), scene.points[i], scene.puncture[i], scene.insertion[i]);
             for (const std::string& model : models) {
                 const LoadCurve* const curve = scene.curve(model);
-                text += curve == nullptr ? "," : fmt::format(",{}", curve->loads[i]);
-                if (curve != nullptr && !curve->stiffness.empty()) text += fmt::format(",{}", curve->stiffness[i]);
+                text += "," + (curve == nullptr ? "" : value(curve->loads[i]));
+                if (loads.stiffness) text += "," + (curve == nullptr ? "" : value(curve->stiffness[i]));
+            }
+            if (known) {
+                text += fmt::format(",{}", *scene.reference);
+                for (const std::string& model : models) {
+                    const LoadCurve* const curve = scene.curve(model);
+                    text += "," + (curve == nullptr ? "" : value(curve->loads[i] / *scene.reference - 1.0));
+                }
             }
             text += "\n";
         }

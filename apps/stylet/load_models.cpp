@@ -57,8 +57,9 @@ AskedModel read_asked_model(const std::string& text) {
 std::vector<AskedModel> models_of(const core::Scene& scene) {
     std::vector<AskedModel> models;
     if (!scene.buckling) return models;
-    models.push_back(model(scene.buckling->type, scene.buckling->type));
-    for (const std::string& other : scene.buckling->alternatives) models.push_back(model(other, other));
+    models.push_back({.type = scene.buckling->type, .changes = {}, .overrides = {}});
+    for (const std::string& other : scene.buckling->alternatives)
+        models.push_back(model(other, fmt::format("{}: {}.{}", scene.file.string(), section, other)));
     return models;
 }
 

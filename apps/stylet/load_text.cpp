@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 namespace stylet::app {
 namespace {
@@ -15,37 +15,37 @@ using Align = Table::Align;
 
 constexpr std::size_t page_width = 120;    // [characters]
 
-std::string stem(const SceneLoads& scene) {
-    return std::filesystem::path(scene.file).stem().string();
-}
-
 std::string per_cent(double value, double of) {
-    return fmt::format("{:+.1f} %", 100.0 * (value / of - 1.0));
+    const std::string text = fmt::format("{:+.1f} %", 100.0 * (value / of - 1.0));
+    return text == "-0.0 %" || text == "+0.0 %" ? "0.0 %" : text;
 }
 
 /// A table with a column of places, a column for each model, and what goes beside the load there.
 class LoadTable {
 public:
-    LoadTable(const std::vector<std::string>& models, bool reference, bool stiffness)
-        : models_(models), reference_(reference), stiffness_(stiffness), table_(columns()) {}
+    struct Beside {
+        bool reference;            // known loads
+        bool stiffness;            // Eq. (3)'s
+        std::string force = "";    // what the needle has to bear, by this name, and whether it does; empty: neither
+    };
+
+    LoadTable(const std::vector<std::string>& models, const Beside& beside)
+        : models_(models), beside_(beside), table_(columns()) {}
 
     /// A model's name, and below it what it was asked with.
     void add_header(const std::string& first) {
         std::vector<std::string> names{first}, changes{""};
-        if (reference_) {
-            names.emplace_back("known");
-            changes.emplace_back();
-        }
+        if (beside_.reference) names.emplace_back("known");
+        if (!beside_.force.empty()) names.push_back(beside_.force);
+        changes.resize(names.size());
         bool any = false;
         for (const std::string& model : models_) {
             const std::size_t blank = model.find(' ');
             names.push_back(model.substr(0, blank));
             changes.push_back(blank == std::string::npos ? "" : model.substr(blank + 1));
-            any |= !changes.back().empty();
-            for (std::size_t i = 1; i < columns_a_model(); ++i) {
-                names.emplace_back(stiffness_ && i == 1 ? "µ" : "");
-                changes.emplace_back();
-            }
+            any |= blank != std::string::npos;
+            for (std::size_t i = 1; i < columns_a_model(); ++i) names.emplace_back(beside_.stiffness && i == 1 ? "µ" : "");
+            changes.resize(names.size());
         }
         table_.add(names);
         if (any) table_.add(changes);
@@ -53,12 +53,18 @@ public:
 
     void add_row(const std::string& place, const SceneLoads& scene, std::size_t point) {
         std::vector<std::string> row{place};
-        if (reference_) row.push_back(scene.reference ? significant(*scene.reference, "N") : "");
+        if (beside_.reference) row.push_back(scene.reference ? significant(*scene.reference, "N") : "");
+        const double force = scene.points[point] > 0.0 ? scene.insertion[point] : scene.puncture[point];
+        if (!beside_.force.empty()) row.push_back(significant(force, "N"));
         for (const std::string& model : models_) {
             const LoadCurve* const curve = scene.curve(model);
             row.push_back(curve == nullptr ? "" : significant(curve->loads[point], "N"));
-            if (stiffness_) row.push_back(curve == nullptr ? "" : significant(curve->stiffness[point], "Pa"));
-            if (reference_) row.push_back(curve && scene.reference ? per_cent(curve->loads[point], *scene.reference) : "");
+            if (beside_.stiffness) row.push_back(curve == nullptr ? "" : significant(curve->stiffness[point], "Pa"));
+            if (!beside_.force.empty())
+                row.emplace_back(curve == nullptr || std::isnan(curve->loads[point]) || !std::isfinite(force) ? ""
+                                 : curve->loads[point] < force                                                ? "buckles"
+                                                                                                              : "bears");
+            if (beside_.reference) row.push_back(curve && scene.reference ? per_cent(curve->loads[point], *scene.reference) : "");
         }
         table_.add(row);
     }
@@ -66,22 +72,20 @@ public:
     [[nodiscard]] std::string text() const { return table_.text(2); }
 
 private:
-    [[nodiscard]] std::size_t columns_a_model() const { return 1 + (stiffness_ ? 1 : 0) + (reference_ ? 1 : 0); }
+    [[nodiscard]] std::size_t columns_a_model() const {
+        return 1 + (beside_.stiffness ? 1 : 0) + (beside_.force.empty() ? 0 : 1) + (beside_.reference ? 1 : 0);
+    }
     [[nodiscard]] std::vector<Align> columns() const {
-        std::vector<Align> columns((reference_ ? 2 : 1) + models_.size() * columns_a_model(), Align::right);
+        const std::size_t first = 1 + (beside_.reference ? 1 : 0) + (beside_.force.empty() ? 0 : 1);
+        std::vector<Align> columns(first + models_.size() * columns_a_model(), Align::right);
         columns.front() = Align::left;
         return columns;
     }
 
     const std::vector<std::string>& models_;
-    bool reference_;
-    bool stiffness_;
+    Beside beside_;
     Table table_;
 };
-
-bool with_stiffness(const CriticalLoads& loads) {
-    return !loads.scenes.front().curves.front().stiffness.empty();
-}
 
 bool with_reference(const CriticalLoads& loads) {
     return loads.scenes.front().reference.has_value();
@@ -90,8 +94,9 @@ bool with_reference(const CriticalLoads& loads) {
 std::string needle_text(const SceneLoads& scene) {
     const NeedleSetup& needle = scene.needle;
     const std::string bore = needle.inner_radius > 0.0 ? fmt::format(", inner radius {:.4g} mm", 1e3 * needle.inner_radius) : "";
-    return fmt::format("{:.4g} mm long, radius {:.4g} mm{}{}", 1e3 * needle.length, 1e3 * needle.radius, bore,
-                       scene.gauge.empty() ? "" : fmt::format(" ({})", scene.gauge));
+    return fmt::format("{}, {:.4g} mm long, radius {:.4g} mm{}{}, {:.4g} GPa, {}", scene.needle_type, 1e3 * needle.length,
+                       1e3 * needle.radius, bore, scene.gauge.empty() ? "" : fmt::format(" ({})", scene.gauge),
+                       1e-9 * needle.youngs_modulus, word_of(needle.ends));
 }
 
 std::string heading(const SceneLoads& scene, const CriticalLoads& loads) {
@@ -99,12 +104,14 @@ std::string heading(const SceneLoads& scene, const CriticalLoads& loads) {
     facts.add({"scene", scene.file});
     if (loads.along_depth) {
         facts.add({"needle", needle_text(scene)});
+        if (!scene.has_buckling)
+            facts.add({"", "given no buckling model by its scene: in a run it buckles by itself or not at all"});
         const bool limited = std::isfinite(scene.puncture.front());
         if (scene.has_tissue)
             facts.add({"tip", limited ? "punctures at " + significant(scene.puncture.front(), "N")
                                       : "never punctures: no effect limits it"});
     } else if (loads.depth > 0.0) {
-        facts.add({"depth", fmt::format("{:.4g} mm", 1e3 * loads.depth)});
+        facts.add({"inserted", fmt::format("{:.4g} mm", 1e3 * loads.depth)});
     }
     return scene.title + "\n" + facts.text(2) + "\n";
 }
@@ -119,7 +126,7 @@ std::string points_text(const SceneLoads& scene, const CriticalLoads& loads) {
         for (const LoadCurve& curve : scene.curves) names.push_back(curve.model);
         return names;
     }();
-    LoadTable table(models, scene.reference.has_value(), !scene.curves.front().stiffness.empty());
+    LoadTable table(models, {.reference = scene.reference.has_value(), .stiffness = loads.stiffness});
     table.add_header(loads.axis);
     for (std::size_t row = 0; row < rows; ++row) {
         const std::size_t point = rows == 1 ? 0 : (row * (count - 1) + (rows - 1) / 2) / (rows - 1);
@@ -131,13 +138,35 @@ std::string points_text(const SceneLoads& scene, const CriticalLoads& loads) {
 
 std::string scenes_text(const CriticalLoads& loads) {
     const std::vector<std::string> models = loads.models();
-    LoadTable table(models, with_reference(loads), with_stiffness(loads));
+    const bool inside = loads.scenes.front().points.front() > 0.0;
+    const bool limited = std::ranges::any_of(loads.scenes, [&](const SceneLoads& scene) {
+        return std::isfinite((inside ? scene.insertion : scene.puncture).front());
+    });
+    LoadTable table(models, {.reference = with_reference(loads),
+                             .stiffness = loads.stiffness,
+                             .force = !limited ? ""
+                                      : inside ? "insertion"
+                                               : "puncture"});
     table.add_header("scene");
-    for (const SceneLoads& scene : loads.scenes) table.add_row(stem(scene), scene, 0);
-    return fmt::format("Critical loads at {} of depth\n", on_axis(loads.scenes.front().points.front(), loads)) + table.text();
+    for (const SceneLoads& scene : loads.scenes) table.add_row(scene.name, scene, 0);
+    return fmt::format("Critical loads with {} inserted\n", on_axis(loads.scenes.front().points.front(), loads)) + table.text();
 }
 
 }    // namespace
+
+std::string word_of(Ends ends) {
+    switch (ends) {
+        case Ends::clamped_free:
+            return "clamped-free";
+        case Ends::pinned_pinned:
+            return "pinned-pinned";
+        case Ends::clamped_pinned:
+            return "clamped-pinned";
+        case Ends::clamped_clamped:
+            break;
+    }
+    return "clamped-clamped";
+}
 
 std::string loads_text(const CriticalLoads& loads) {
     if (loads.one_point() && loads.scenes.size() > 1) return scenes_text(loads);

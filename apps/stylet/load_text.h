@@ -13,6 +13,9 @@ namespace stylet::app {
 /// A row for each point of each scene; names with units.
 [[nodiscard]] std::string loads_csv(const CriticalLoads& loads);
 
+/// "clamped-free", as a scene writes it.
+[[nodiscard]] std::string word_of(Ends ends);
+
 /// JSON whose layout is a promise to scripts; SI units but for the axis, which says its own; what is not finite is null.
 [[nodiscard]] std::string loads_json(const CriticalLoads& loads);
 

@@ -9,9 +9,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
+#include <iterator>
 #include <map>
 #include <sstream>
 
@@ -34,7 +35,9 @@ std::string bytes_of(const std::string& file) {
 }
 
 std::map<std::string, double> read_table(const std::string& file) {
-    std::istringstream lines(bytes_of(file));
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";    // spreadsheets begin UTF-8 with it
+    const std::string bytes = bytes_of(file);
+    std::istringstream lines(bytes.substr(bytes.starts_with(byte_order_mark) ? byte_order_mark.size() : 0));
     std::map<std::string, double> loads;
     bool headed = false;
     int number = 0;
@@ -63,15 +66,21 @@ void add_references(const std::string& file, CriticalLoads& loads) {
     const std::map<std::string, double> known = read_table(file);
     std::vector<std::string> names;
     for (const auto& [name, load] : known) names.push_back(name);
+    std::vector<std::string> missing;
     for (SceneLoads& scene : loads.scenes) {
-        const std::string stem = std::filesystem::path(scene.file).stem().string();
-        const auto found = known.find(stem);
+        const auto found = known.find(scene.name);
         if (found == known.end()) {
-            throw Failure(ExitCode::wrong_input, fmt::format("{}: found no load of {}, wanted one for each scene{}", file,
-                                                             core::quote(stem), core::suggestion(stem, names)));
+            missing.push_back(scene.name);
+        } else {
+            scene.reference = found->second;
         }
-        scene.reference = found->second;
     }
+    if (missing.empty()) return;
+    std::vector<std::string> quoted;
+    std::ranges::transform(missing, std::back_inserter(quoted), core::quote);
+    const std::string suggested = missing.size() == 1 ? core::suggestion(missing.front(), names) : "";
+    throw Failure(ExitCode::wrong_input,
+                  fmt::format("{}: found no load of {}, wanted one for each scene{}", file, fmt::join(quoted, ", "), suggested));
 }
 
 }    // namespace stylet::app

@@ -89,7 +89,7 @@ TEST(CriticalLoad, PutsScenesOfOnePointIntoOneTableWithTheKnownLoads) {
                                            "--reference", (scene_folder / "paper/tables.csv").string(), "--model", "winkler",
                                            "--model", "foundation,form=printed", "--model", "foundation,form=consistent"});
     EXPECT_EQ(tables.code, 0) << tables.err;
-    EXPECT_THAT(tables.out, StartsWith("Critical loads at 50 mm of depth\n"));
+    EXPECT_THAT(tables.out, StartsWith("Critical loads with 50 mm inserted\n"));
     EXPECT_THAT(tables.out, ContainsRegex("scene +known +winkler +foundation +foundation\n +form=printed +form=consistent\n"));
     EXPECT_THAT(tables.out, ContainsRegex("table1_row1 +7.000 N +7.04[0-9] N +\\+0.6 % +2.682 N +-61.7 % +6.959 N +-0.6 %\n"));
 }
@@ -119,7 +119,8 @@ TEST(CriticalLoad, SaysWhetherTheNeedleBucklesBeforeItsTipPunctures) {
                 HasSubstr("  euler: the needle buckles at 0.6422 N, before its tip punctures at 1.000 N. Inside it bears "
                           "more than that from"));
     const Outcome puncturers = bench.stylet({"critical-load", paper("fig10a_l150")});
-    EXPECT_THAT(puncturers.out, HasSubstr("  euler: the tip punctures at 1.000 N, before the needle buckles at 1.142 N.\n"));
+    EXPECT_THAT(puncturers.out,
+                HasSubstr("  euler: the tip punctures at 1.000 N, before the needle buckles at 1.142 N. Inside, cutting"));
     const json answer = loads({paper("fig10a_l200")})["scenes"][0]["models"][0];
     EXPECT_EQ(answer["buckles_first"], true);
     EXPECT_NEAR(answer["load_at_surface"], 0.64224, 0.64224 * four_digits);
@@ -127,6 +128,119 @@ TEST(CriticalLoad, SaysWhetherTheNeedleBucklesBeforeItsTipPunctures) {
     // 20.19 EI/(L - d)^2 = 1 N, found by halving to a millionth of 3 mm.
     const double crossing = 200.0 - 1e3 * std::sqrt(20.190728556 * 200e9 * std::numbers::pi * std::pow(0.3e-3, 4) / 4.0);
     EXPECT_NEAR(answer["crossings"][0], crossing, 1e-5);
+}
+
+/// Once in, it is cutting and friction that push back: 2 pi r J_c + f d against 20.19 EI/(L - d)^2.
+TEST(CriticalLoad, SaysWhereTheNeedleBucklesInside) {
+    const std::vector<std::string> sticky{paper("fig10a_l150"), "--set", "effects[1].per_length=60 N/m"};
+    const json scene = loads(sticky)["scenes"][0];
+    const json crossings = scene["models"][0]["inside_crossings"];
+    ASSERT_EQ(crossings.size(), 2u);
+    for (const json& crossing : crossings) {
+        const double inserted = 1e-3 * crossing.get<double>();
+        const double bears = 20.190728556 * 200e9 * std::numbers::pi * std::pow(0.3e-3, 4) / 4.0 / std::pow(0.15 - inserted, 2);
+        const double asks = 2.0 * std::numbers::pi * 0.3e-3 * 164.0 + 60.0 * inserted;
+        EXPECT_NEAR(bears, asks, asks * four_digits) << crossing;
+        std::printf("buckles inside from or to %.4f mm, at %.4f N\n", crossing.get<double>(), bears);
+    }
+    EXPECT_EQ(scene["models"][0]["buckles_first"], false);
+    std::vector<std::string> command{"critical-load"};
+    command.insert(command.end(), sticky.begin(), sticky.end());
+    EXPECT_THAT(Bench().stylet(command).out, HasSubstr("Inside, cutting and friction ask for 0.3091\n  N to 9.309 N: it buckles "
+                                                       "from 20.3 mm to 78.43 mm.\n"));
+    EXPECT_THAT(Bench().stylet({"critical-load", paper("fig9")}).out, HasSubstr(": it buckles from 38.83 mm to 139.6 mm.\n"));
+    EXPECT_THAT(Bench().stylet({"critical-load", paper("fig10a_l150")}).out,
+                HasSubstr("cutting and friction ask for 0.3091\n  N to 1.059 N, which it bears.\n"));
+}
+
+TEST(CriticalLoad, AddsTheFrictionOfEachLayerUpToTheTip) {
+    const json scene = loads({paper("fig9"), "--depth", "30..40mm", "--points", "2"})["scenes"][0];
+    const double cuts = 2.0 * std::numbers::pi * 0.3e-3 * 164.0;
+    EXPECT_NEAR(scene["insertion_force"][0], cuts + 5.0 * 0.03, 1e-12);
+    EXPECT_NEAR(scene["insertion_force"][1], cuts + 5.0 * 0.03 + 60.0 * 0.01, 1e-12);
+}
+
+TEST(CriticalLoad, SpeaksOfThePartOfTheInsertionThatItWasAskedFor) {
+    const Outcome part = Bench().stylet({"critical-load", paper("fig10a_l200"), "--depth", "10..20mm"});
+    EXPECT_THAT(part.out, HasSubstr("From 10 mm to 20 mm it nowhere bears that.\n"));
+    EXPECT_THAT(part.out, HasSubstr("From 10 mm to 20 mm, cutting and friction ask for 0.3591 N to 0.4091 N, which it bears.\n"));
+    const Outcome later = Bench().stylet({"critical-load", paper("fig10a_l200"), "--depth", "80..90mm"});
+    EXPECT_THAT(later.out, HasSubstr("From 80 mm to 90 mm it bears more than\n  that. From 80 mm to 90 mm, cutting"));
+}
+
+TEST(CriticalLoad, SpeaksOfTheOneDepthFirst) {
+    const Outcome one = Bench().stylet({"critical-load", paper("fig10a_l200"), "--depth", "30 mm"});
+    EXPECT_THAT(one.out, HasSubstr("euler: with 30 mm inserted the needle buckles at 0.8889 N, and cutting and friction ask for "
+                                   "0.4591 N, which it bears.\n  On the surface the needle buckles at 0.6422 N, before its tip "
+                                   "punctures at 1.000 N.\n"));
+    const Outcome all = Bench().stylet({"critical-load", paper("table1_row1"), "--depth", "50mm", "--model", "euler"});
+    EXPECT_THAT(all.out, HasSubstr("euler: with 50 mm inserted none of the needle is in air, of which alone this model knows."));
+}
+
+TEST(CriticalLoad, OfNoNeedleInAirIsNoNumberWhereAModelKnowsAirAlone) {
+    const json models = loads({paper("table1_row1"), "--model", "euler", "--model", "winkler"})["scenes"][0]["models"];
+    EXPECT_EQ(models[0]["load"].back(), nullptr);
+    EXPECT_TRUE(models[0]["load"].front().is_number());
+    EXPECT_TRUE(models[1]["load"].back().is_number());    // it knows the tissue
+    const Outcome csv = Bench().stylet({"critical-load", paper("table1_row1"), "--model", "euler", "--csv", "-"});
+    EXPECT_THAT(csv.out, ContainsRegex("table1_row1,50,inf,inf,\n$"));
+}
+
+TEST(CriticalLoad, ComparesScenesOfOneDepthWithWhatTheyHaveToBear) {
+    const Outcome inside = Bench().stylet({"critical-load", paper("fig10a_l200"), paper("fig10a_l300"), "--depth", "30mm"});
+    EXPECT_THAT(inside.out, ContainsRegex("scene +insertion +euler\n +fig10a_l200 +0.4591 N +0.8889 N +bears\n"
+                                          " +fig10a_l300 +0.4591 N +0.3524 N +buckles\n"));
+    const Outcome surface = Bench().stylet({"critical-load", paper("fig10a_l150"), paper("fig10a_l200"), "--depth", "0mm"});
+    EXPECT_THAT(surface.out, ContainsRegex("scene +puncture +euler\n +fig10a_l150 +1.000 N +1.142 N +bears\n"
+                                           " +fig10a_l200 +1.000 N +0.6422 N +buckles\n"));
+}
+
+TEST(CriticalLoad, SaysThatAKeyPlaysNoPart) {
+    const Outcome outcome =
+        Bench().stylet({"critical-load", paper("fig10a_l200"), "--vary", "tissue.layers[0].youngs_modulus=1..6kPa"});
+    EXPECT_THAT(outcome.out, HasSubstr("the load of 0.6422 N does not depend on tissue.layers[0].youngs_modulus.\n"));
+}
+
+TEST(CriticalLoad, ComparesAlongAVariedKeyAtADepthWithWhatTakesTheNeedleOn) {
+    const Outcome outcome =
+        Bench().stylet({"critical-load", paper("fig10a_l200"), "--depth", "30mm", "--vary", "needle.radius=0.2..0.6mm"});
+    EXPECT_THAT(outcome.out, HasSubstr("euler: the needle buckles before it goes on where needle.radius is up to 0.2463 mm.\n"));
+}
+
+TEST(CriticalLoad, VariesAParameterOfAModelThatTheSceneHasNoMapFor) {
+    const json figure = loads({paper("fig10a_l200"), "--model", "euler", "--model", "winkler,foundation_modulus=vesic", "--vary",
+                               "needle.buckling.winkler.elements=8..10", "--points", "3"});
+    EXPECT_EQ(figure["scenes"][0]["axis"], json::parse("[8.0, 9.0, 10.0]"));
+}
+
+TEST(CriticalLoad, TellsScenesOfOneNameByTheirFolders) {
+    const Bench bench;
+    const char* const scene =
+        "stylet: 1\ntitle: Rigid\nneedle: {type: rigid, length: 100 mm, gauge: 22G, youngs_modulus: 200 GPa, "
+        "ends: clamped-free}\nrun: {rate: 1 kHz, duration: 1 s}\n";
+    for (const char* folder : {"a", "b"}) std::filesystem::create_directory(bench.path(folder));
+    for (const char* file : {"a/x.yaml", "b/x.yaml", "b/y.yaml"}) bench.write(file, scene);
+    const Outcome outcome = bench.stylet({"critical-load", "a/x.yaml", "b/x.yaml", "b/y.yaml", "--model", "euler", "--csv", "-"});
+    EXPECT_THAT(outcome.out, ContainsRegex("\na/x,.*\nb/x,.*\ny,"));
+    const Outcome twice = bench.stylet({"critical-load", "a/x.yaml", "a/../a/x.yaml", "--model", "euler"});
+    EXPECT_EQ(twice.code, 3);
+    EXPECT_EQ(twice.err, "a/../a/x.yaml: found this scene a second time, wanted each once\n");
+}
+
+TEST(CriticalLoad, WritesLoadsOfAnySizeInFourDigits) {
+    const Outcome tiny = Bench().stylet({"critical-load", paper("fig3"), "--set", "needle.radius=20 um"});
+    EXPECT_THAT(tiny.out, HasSubstr("euler: the needle buckles at 6.201 µN.\n"));
+    const Outcome least = Bench().stylet({"critical-load", paper("fig3"), "--set", "needle.radius=1 um"});
+    EXPECT_THAT(least.out, HasSubstr("euler: the needle buckles at 3.876e-11 N.\n"));
+}
+
+TEST(CriticalLoad, WritesKnownLoadsAndDeviationsAsCsv) {
+    const Bench bench;
+    bench.write("known.csv", "\xEF\xBB\xBFscene,load [N]\nfig3,1\n");    // as a spreadsheet writes it
+    const Outcome outcome = bench.stylet(
+        {"critical-load", paper("fig3"), "--depth", "0mm", "--model", "euler", "--reference", "known.csv", "--csv", "-"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, ContainsRegex("euler \\[N\\],known \\[N\\],euler deviation\nfig3,0,inf,inf,0.31[0-9]+,1,-0.68"));
 }
 
 TEST(CriticalLoad, SaysItOfAVariedKeyToo) {
@@ -175,7 +289,11 @@ TEST(CriticalLoad, NeedsNoBucklingSectionWhereAModelIsNamed) {
                 "ends: clamped-free}\nrun: {rate: 1 kHz, duration: 1 s}\n");
     const Outcome outcome = bench.stylet({"critical-load", "rigid.yaml", "--model", "euler", "--json", "rigid.json"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, HasSubstr("needle   100 mm long, radius 0.3588 mm, inner radius 0.2065 mm (22G)"));
+    EXPECT_THAT(
+        outcome.out,
+        HasSubstr(
+            "needle   rigid, 100 mm long, radius 0.3588 mm, inner radius 0.2065 mm (22G), 200 GPa, clamped-free\n           "
+            "given no buckling model by its scene: in a run it buckles by itself or not at all\n"));
     const json scene = json::parse(bench.read("rigid.json"))["scenes"][0];
     const double tube = clamped_free(0.3588e-3, 0.1) - clamped_free(0.2065e-3, 0.1);
     EXPECT_NEAR(scene["models"][0]["load"][0], tube, tube * four_digits);
@@ -196,10 +314,12 @@ TEST(CriticalLoad, WritesEveryPointAsCsv) {
     const Bench bench;
     const Outcome outcome = bench.stylet({"critical-load", paper("fig3"), "--vary", "needle.radius=0.1..1mm", "--csv", "-"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, StartsWith("scene,needle.radius [mm],puncture [N],euler [N],winkler [N]\nfig3,0.1,inf,0.0038"));
+    EXPECT_THAT(outcome.out,
+                StartsWith("scene,needle.radius [mm],puncture [N],insertion [N],euler [N],winkler [N]\nfig3,0.1,inf,inf,0.0038"));
     EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 52);
     EXPECT_EQ(bench.stylet({"critical-load", paper("fig10a_l200"), "--csv", "all.csv"}).code, 0);
-    EXPECT_THAT(bench.read("all.csv"), StartsWith("scene,depth [mm],puncture [N],euler [N]\nfig10a_l200,0,1,0.642"));
+    EXPECT_THAT(bench.read("all.csv"),
+                StartsWith("scene,inserted [mm],puncture [N],insertion [N],euler [N]\nfig10a_l200,0,1,0.309"));
 }
 
 TEST(CriticalLoad, PrintsOfManyPointsSome) {
@@ -227,7 +347,7 @@ TEST(CriticalLoad, DrawsTheForceThatPuncturesBesideTheCurve) {
     const Bench bench;
     ASSERT_EQ(bench.stylet({"critical-load", paper("fig10a_l200"), "--plot", "l200.png"}).code, 0);
     const std::string svg = bench.read("l200.svg");
-    for (const char* text : {"tip punctures", "Tip depth (mm)"}) EXPECT_TRUE(shows(svg, text)) << text;
+    for (const char* text : {"tip punctures", "Inserted length (mm)"}) EXPECT_TRUE(shows(svg, text)) << text;
     EXPECT_FALSE(shows(svg, square));
     EXPECT_TRUE(bench.has("l200.png"));
 }

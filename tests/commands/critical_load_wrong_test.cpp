@@ -40,7 +40,24 @@ TEST(CriticalLoadRefuses, AWrongCommandLineInASentence) {
         {{"--points", "5", "--depth", "5mm"}, "--points: found one depth, wanted an interval such as --depth 0..50mm\n"},
         {{"--plot", "x", "--depth", "5mm"},
          "--plot: found one point of each curve, wanted an interval such as --depth 0..50mm\n"},
-        {{"--reference", "x.csv"}, "--reference: found no single depth, wanted one such as --depth '50 mm'\n"},
+        {{"--reference", "x.csv"},
+         "--reference: found no single depth, wanted one such as --depth '50 mm', or --depth '0 mm' of a needle in air\n"},
+        {{"--reference", "x.csv", "--vary", "needle.radius=0.1..1mm"},
+         "--reference: found --vary, wanted one depth alone: a known load is of one scene\n"},
+        {{"--json", "-", "--csv", "-"}, "--csv: found '-' beside --json -, wanted a file for one of them: stdout is one\n"},
+        {{"--depth", ""}, "--depth: found '', wanted a value\n"},
+        {{"--depth", "1mm", "--depth", "2mm"}, "--depth: found it 2 times, wanted it once\n"},
+        {{"--points", "0"}, "--points: found 0, wanted 2 to 10000\n"},
+        {{"--plot", "out/"},
+         "--plot: found 'out/', wanted what both files' names begin with, such as out/insertion: it draws STEM.svg and "
+         "STEM.png\n"},
+        {{"--plot", "x.pdf"},
+         "--plot: found 'x.pdf', wanted what both files' names begin with, such as out/insertion: it draws STEM.svg and "
+         "STEM.png\n"},
+        {{"--plot", "-"},
+         "--plot: found '-', wanted what both files' names begin with, such as out/insertion: it draws STEM.svg and STEM.png\n"},
+        {{"--model", "winkler,elements=8", "--vary", "needle.buckling.winkler.elements=8..16"},
+         "--vary: found 'needle.buckling.winkler.elements', which --model winkler,elements=8 sets, wanted one of the two\n"},
         {{"--model", "euler", "--model", "euler"}, "--model: found 'euler' a second time, wanted each once\n"},
         {{"--model", "foundation,form"},
          "--model: found 'foundation,form', wanted NAME or NAME,KEY=VALUE, for instance foundation,form=printed\n"},
@@ -129,6 +146,29 @@ TEST(CriticalLoadRefuses, AVariedKeyAsItRefusesAnOverride) {
         StartsWith("--vary needle.radius: found '0.1 mm', wanted none beside gauge '22G', which says it already"));
 }
 
+TEST(CriticalLoadRefuses, PartsOfAWholeNumberAndSaysWhatWouldGo) {
+    EXPECT_THAT(asked({paper("fig3"), "--model", "winkler", "--vary", "needle.buckling.winkler.elements=8..64"}).err,
+                HasSubstr("; --points 57 goes from 8 to 64 in whole numbers\n"));
+}
+
+TEST(CriticalLoadRefuses, AModelThatDoesNotGoWithTheSceneByTheScenesOwnPlace) {
+    const Bench bench;
+    bench.write("own.yaml",
+                "stylet: 1\ntitle: Own\ntissue:\n  type: half_space\n  extent: [1 m, 1 m, 1 m]\n  fixed: bottom\n"
+                "  layers: [{name: gel, youngs_modulus: 25 kPa, poisson_ratio: 0.49}]\n"
+                "needle: {type: rigid, length: 100 mm, gauge: 22G, youngs_modulus: 200 GPa, ends: clamped-free,\n"
+                "         buckling: {type: winkler}}\n"
+                "device: {type: recorded_hand, tip_start: [0 mm, 0 mm, 2 mm], motion: [{insert: 1 mm, speed: 1 mm/s}]}\n"
+                "coupling: {contact_spacing: 5 mm}\nrun: {rate: 1 kHz}\n");
+    EXPECT_THAT(bench.stylet({"critical-load", "own.yaml"}).err,
+                StartsWith("own.yaml:9:27: needle.buckling.winkler.foundation_modulus: found none in a scene with a tissue"));
+    EXPECT_THAT(bench.stylet({"critical-load", "own.yaml", paper("fig3"), "--model", "winkler"}).err,
+                StartsWith("own.yaml:9:27: needle.buckling.winkler.foundation_modulus: found none"));
+    EXPECT_THAT(
+        bench.stylet({"critical-load", "own.yaml", paper("fig3"), "--model", "foundation,form=printed"}).err,
+        StartsWith("own.yaml: --model foundation,form=printed: needle.buckling.foundation.foundation_modulus: found none"));
+}
+
 TEST(CriticalLoadRefuses, AStiffnessThatEq3DoesNotKnow) {
     const std::string column = paper("table1_row1"), pinned = paper("fig10a_l200");
     EXPECT_EQ(asked({column, "--stiffness", "--depth", "30mm", "--model", "winkler"}).err,
@@ -154,6 +194,7 @@ TEST(CriticalLoadRefuses, AReferenceThatIsNoTableOfTheseScenes) {
          "known.csv:2: found 'fig3,-1', wanted a scene's name and its load in N, such as fig3,0.314\n"},
         {"scene,load [N]\nfig3,1\nfig3,2\n", "known.csv:3: found 'fig3,2', wanted each scene once\n"},
         {"scene,load [N]\nfig33,1\n", "known.csv: found no load of 'fig3', wanted one for each scene; did you mean 'fig33'?\n"},
+        {"scene,load [N]\nother,1\n", "known.csv: found no load of 'fig3', wanted one for each scene\n"},
     };
     const Bench bench;
     for (const Wrong& wrong : wrongs) {
@@ -162,6 +203,8 @@ TEST(CriticalLoadRefuses, AReferenceThatIsNoTableOfTheseScenes) {
         EXPECT_EQ(outcome.code, 2);
         EXPECT_EQ(outcome.err, wrong.message);
     }
+    EXPECT_EQ(bench.stylet({"critical-load", paper("fig3"), paper("fig9"), "--depth", "0mm", "--reference", "known.csv"}).err,
+              "known.csv: found no load of 'fig3', 'fig9', wanted one for each scene\n");
     EXPECT_EQ(bench.stylet({"critical-load", paper("fig3"), "--depth", "0mm", "--reference", "nowhere.csv"}).err,
               "nowhere.csv: found no such file, wanted a table of loads\n");
 }
@@ -180,6 +223,9 @@ TEST(CriticalLoadRefuses, FilesThatCannotBeWrittenAndAMissingGnuplot) {
     EXPECT_EQ(bench.stylet({"critical-load", paper("fig3"), "--json", "nowhere/x.json"}).err,
               "nowhere/x.json: cannot be written: No such file or directory\n");
     EXPECT_EQ(bench.stylet({"critical-load", paper("fig3"), "--csv", "nowhere/x.csv"}).code, 4);
+    // Before anything is computed: the scene that is not there is not even looked for; and nothing is left behind.
+    EXPECT_EQ(bench.stylet({"critical-load", "nowhere.yaml", "--csv", "x.csv", "--json", "nowhere/x.json"}).code, 4);
+    EXPECT_FALSE(bench.has("x.csv"));
     const Outcome plot = bench.stylet_with_path(bench.path("").string(), {"critical-load", paper("fig10a_l200"), "--plot", "x"});
     EXPECT_EQ(plot.code, 4);
     EXPECT_THAT(plot.err, HasSubstr("found no gnuplot on the PATH"));
