@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace stylet::core {
 namespace {
 
@@ -60,9 +62,26 @@ void read_radii(const ValueTree& map, const Parameters& keys, NeedleSetup& needl
     }
 }
 
+/// Whoever gives one of two ways to say how thick the needle is on top of a scene means it instead of the scene's.
+ValueTree with_one_thickness(const ValueTree& map) {
+    const auto given = [](const ValueTree::Entry& entry) { return entry.value.place.line == 0; };
+    const auto gauge = [](const ValueTree::Entry& entry) { return entry.key == "gauge"; };
+    const auto radii = [](const ValueTree::Entry& entry) { return entry.key == "radius" || entry.key == "inner_radius"; };
+    const auto any = [&](const auto& kind) {
+        return std::ranges::any_of(map.entries, [&](const auto& entry) { return kind(entry) && given(entry); });
+    };
+    const bool new_gauge = any(gauge), new_radii = any(radii);
+    ValueTree one = map;
+    std::erase_if(one.entries, [&](const ValueTree::Entry& entry) {
+        return !given(entry) && ((new_gauge && radii(entry)) || (new_radii && gauge(entry)));
+    });
+    return one;
+}
+
 }    // namespace
 
-void read_needle(const ValueTree& map, Reading& reading, Scene& scene) {
+void read_needle(const ValueTree& section, Reading& reading, Scene& scene) {
+    const ValueTree map = with_one_thickness(section);
     scene.needle = read_choice(map, "needle", needle_section, reading);
     const Parameters keys = read_parameters(map, "needle", needle_keys, reading);
     NeedleSetup& needle = scene.needle_setup.emplace();

@@ -1,6 +1,8 @@
 #include "core/scene/suggestion.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 
 namespace stylet::core {
 namespace {
@@ -22,6 +24,14 @@ std::size_t distance(const std::string& a, const std::string& b) {
     return at(a.size(), b.size());
 }
 
+/// How far apart the numbers are that both begin with; 0 where one doesn't.
+double between_numbers(const std::string& a, const std::string& b) {
+    double one = 0.0, other = 0.0;
+    if (std::from_chars(a.data(), a.data() + a.size(), one).ec != std::errc{}) return 0.0;
+    if (std::from_chars(b.data(), b.data() + b.size(), other).ec != std::errc{}) return 0.0;
+    return std::abs(one - other);
+}
+
 }    // namespace
 
 std::string suggestion(const std::string& word, const std::vector<std::string>& candidates) {
@@ -32,7 +42,8 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
     for (const std::string& candidate : candidates) {
         if (candidate.size() > longest) continue;
         const std::size_t off = distance(word, candidate);
-        if (off < nearest && off < candidate.size()) {
+        const bool as_near = best != nullptr && off == nearest && between_numbers(word, candidate) < between_numbers(word, *best);
+        if ((off < nearest && off < candidate.size()) || as_near) {
             nearest = off;
             best = &candidate;
         }

@@ -78,6 +78,19 @@ TEST(NeedleSection, ATubeBendsLikeASolidNeedleWithoutItsCore) {
     EXPECT_DOUBLE_EQ(tube, whole - core);
 }
 
+TEST(NeedleSection, AnOverrideOfOneThicknessReplacesTheScenesOther) {
+    const Scene gauge = read_scene(good_scene(), {{"needle.gauge", "22G"}}, good_plugins());
+    EXPECT_EQ(gauge.gauge, "22G");
+    EXPECT_DOUBLE_EQ(gauge.needle_setup->radius, 0.3588e-3);
+    EXPECT_EQ(complaints({{"needle.gauge", "22G"}, {"needle.radius", "0.3 mm"}}).size(), 1u);    // both at once stay a clash
+}
+
+TEST(NeedleSection, AnUnknownGaugeIsOneMistakeAndTheNextThinnerOrThickerIsMeant) {
+    const std::vector<std::string> messages = complaints({{"needle.gauge", "35G"}});
+    ASSERT_EQ(messages.size(), 1u);
+    EXPECT_TRUE(messages.front().ends_with("; did you mean '34G'?")) << messages.front();
+}
+
 TEST(NeedleSection, KeepsAWallThatRoundingDoesNotLose) {
     EXPECT_GT(with_needle("radius: 0.4 mm, inner_radius: 0.39999 mm").needle_setup->bending_stiffness(), 0.0);
     EXPECT_EQ(complaints({{"needle.inner_radius", "0.29999999999 mm"}}).size(), 1u);
