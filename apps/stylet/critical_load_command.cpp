@@ -229,7 +229,8 @@ Command critical_load_command(CLI::App& line) {
     };
     add_once("--depth", arguments->depth, "DEPTH", "Length of needle inserted: one, or an interval such as 0..50mm");
     add_once("--vary", arguments->vary, "KEY=FROM..TO", "A key of the scene, and the interval that it goes through");
-    options->add_option("--points", arguments->points, "Of an interval; left out, 51")->type_name("N");
+    options->add_option("--points", arguments->points, "Of an interval; left out, 51. Borders of layers come on top")
+        ->type_name("N");
     options->add_flag("--stiffness", arguments->stiffness,
                       "Also the spring constant that each load stands for by the paper's Eq. (3), of a needle wholly in tissue");
     add_once("--reference", arguments->reference, "FILE", "Known loads to compare with: a CSV `scene,load [N]`");

@@ -36,15 +36,14 @@ Value read_value(const std::string& option, const std::string& whole, std::strin
     return {number, std::string(trimmed(rest.substr(static_cast<std::size_t>(end - rest.data()))))};
 }
 
-/// To the digits that a sum may be trusted for: 0.3, not 0.30000000000000004.
+}    // namespace
+
 double rounded(double value) {
     const std::string digits = fmt::format("{:.12g}", value);
     double read = value;
     std::from_chars(digits.data(), digits.data() + digits.size(), read);
     return read;
 }
-
-}    // namespace
 
 std::vector<double> Interval::values(int count) const {
     if (one_value()) return {from};

@@ -21,6 +21,9 @@ struct Interval {
     [[nodiscard]] std::string quantity(double value) const;
 };
 
+/// To the digits that a sum may be trusted for: 0.3, not 0.30000000000000004.
+[[nodiscard]] double rounded(double value);
+
 /// Throws Failure that names the `option` where the text is neither a value nor two that grow.
 [[nodiscard]] Interval read_interval(const std::string& option, const std::string& text);
 

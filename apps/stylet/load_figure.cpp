@@ -30,27 +30,45 @@ double greatest(const Curve& curve) {
     return y;
 }
 
+/// The curves of one scene, one for each of its models.
+struct SceneCurves {
+    const SceneLoads* scene;
+    std::vector<Curve> curves;
+};
+
 /// The load of what little is in air at last has no bound: a picture of an insertion ends at some multiples of what is usual.
-double ceiling(const std::vector<Curve>& curves, const SceneLoads& scene) {
+double ceiling(const std::vector<SceneCurves>& scenes) {
     constexpr double multiples = 3.0, above_puncture = 1.5;
     std::vector<double> all;
-    for (const Curve& curve : curves) {
-        for (const Point& point : curve.points) all.push_back(point.y);
+    double puncture = 0.0;
+    for (const auto& [scene, curves] : scenes) {
+        for (const Curve& curve : curves) {
+            for (const Point& point : curve.points) all.push_back(point.y);
+        }
+        if (std::isfinite(scene->puncture.front())) puncture = std::max(puncture, scene->puncture.front());
     }
+    if (all.empty()) return puncture;
     const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
     std::nth_element(all.begin(), middle, all.end());
-    const double puncture = std::isfinite(scene.puncture.front()) ? scene.puncture.front() : 0.0;
     return std::max(multiples * *middle, above_puncture * puncture);
 }
 
-/// Ends the curve where it leaves below `top`.
+/// Leaves of the curve what comes first below `top`, ended where it crosses it.
 void cut(Curve& curve, double top) {
-    const auto over = std::ranges::find_if(curve.points, [top](const Point& point) { return point.y > top; });
-    if (over == curve.points.end() || over == curve.points.begin()) return;
-    const Point &before = *(over - 1), &after = *over;
-    const double share = (top - before.y) / (after.y - before.y);
-    *over = {std::lerp(before.x, after.x, share), top};
-    curve.points.erase(over + 1, curve.points.end());
+    const auto crossing = [top](const Point& one, const Point& other) {
+        return Point{std::lerp(one.x, other.x, (top - one.y) / (other.y - one.y)), top};
+    };
+    std::vector<Point>& points = curve.points;
+    const auto below = std::ranges::find_if(points, [top](const Point& point) { return point.y <= top; });
+    if (below == points.end()) return;    // a picture of it alone
+    if (below != points.begin()) {
+        *(below - 1) = crossing(*(below - 1), *below);
+        points.erase(points.begin(), below - 1);
+    }
+    const auto over = std::ranges::find_if(points, [top](const Point& point) { return point.y > top; });
+    if (over == points.end()) return;
+    *over = crossing(*(over - 1), *over);
+    points.erase(over + 1, points.end());
 }
 
 bool agree(const Curve& one, const Curve& other, double height) {
@@ -74,12 +92,30 @@ void space_out(Curve& curve, const Figure& figure) {
     curve.points = std::move(kept);
 }
 
-void dot_what_agrees(std::vector<Curve>& curves) {
+/// A model looks alike in all scenes: dotted where it agrees in each of them with one that is drawn as a line.
+void dot_what_agrees(std::vector<SceneCurves>& scenes, const std::vector<std::string>& models) {
     double height = 0.0;
-    for (const Curve& curve : curves) height = std::max(height, greatest(curve));
-    for (std::size_t i = 1; i < curves.size(); ++i) {
-        for (std::size_t j = 0; j < i && !curves[i].dotted; ++j)
-            curves[i].dotted = !curves[j].dotted && agree(curves[i], curves[j], height);
+    for (const SceneCurves& scene : scenes) {
+        for (const Curve& curve : scene.curves) height = std::max(height, greatest(curve));
+    }
+    const auto curve_of_model = [](SceneCurves& scene, const std::string& model) -> Curve* {
+        const auto found = std::ranges::find(scene.scene->curves, model, &LoadCurve::model);
+        return found == scene.scene->curves.end() ? nullptr
+                                                  : &scene.curves[static_cast<std::size_t>(found - scene.scene->curves.begin())];
+    };
+    const auto agree_everywhere = [&](const std::string& one, const std::string& other) {
+        return std::ranges::all_of(scenes, [&](SceneCurves& scene) {
+            const Curve *const first = curve_of_model(scene, one), *const second = curve_of_model(scene, other);
+            return first != nullptr && second != nullptr && agree(*first, *second, height);
+        });
+    };
+    std::vector<std::string> lines;
+    for (const std::string& model : models) {
+        if (std::ranges::none_of(lines, [&](const std::string& line) { return agree_everywhere(line, model); })) {
+            lines.push_back(model);
+            continue;
+        }
+        for (SceneCurves& scene : scenes) curve_of_model(scene, model)->dotted = true;
     }
 }
 
@@ -89,18 +125,26 @@ std::string name_of(const LoadCurve& curve, const SceneLoads& scene, const Criti
     return loads.models().size() == 1 ? scene.title : fmt::format("{}, {}", scene.title, curve.model);
 }
 
-std::vector<Curve> curves_of(const SceneLoads& scene, const CriticalLoads& loads) {
-    std::vector<Curve> curves;
-    for (const LoadCurve& curve : scene.curves) {
-        const std::string name = name_of(curve, scene, loads);
-        curves.push_back(loads.stiffness ? curve_of(name, scene.points, curve.stiffness, 1.0 / kilo)
-                                         : curve_of(name, scene.points, curve.loads, 1.0));
+std::vector<Curve> load_curves(const CriticalLoads& loads) {
+    std::vector<SceneCurves> scenes;
+    for (const SceneLoads& scene : loads.scenes) {
+        SceneCurves& drawn = scenes.emplace_back(SceneCurves{&scene, {}});
+        for (const LoadCurve& curve : scene.curves) {
+            const std::string name = name_of(curve, scene, loads);
+            drawn.curves.push_back(loads.stiffness ? curve_of(name, scene.points, curve.stiffness, 1.0 / kilo)
+                                                   : curve_of(name, scene.points, curve.loads, 1.0));
+        }
     }
     if (loads.along_depth && !loads.stiffness) {
-        const double top = ceiling(curves, scene);
-        for (Curve& curve : curves) cut(curve, top);
+        const double top = ceiling(scenes);
+        for (SceneCurves& scene : scenes) {
+            for (Curve& curve : scene.curves) cut(curve, top);
+        }
     }
-    dot_what_agrees(curves);
+    dot_what_agrees(scenes, loads.models());
+    std::vector<Curve> curves;
+    for (SceneCurves& scene : scenes) std::ranges::move(scene.curves, std::back_inserter(curves));
+    for (Curve& curve : curves) curve.dotted |= curve.points.size() == 1;    // a line of one point is nothing
     return curves;
 }
 
@@ -134,9 +178,13 @@ Figure figure_of(const CriticalLoads& loads) {
     figure.y_label = loads.stiffness ? "Foundation stiffness by Eq. (3) (kPa)" : "Critical load (N)";
     const bool one_scene = loads.scenes.size() == 1, one_model = loads.models().size() == 1;
     figure.title = one_scene ? loads.scenes.front().title : one_model ? loads.models().front() : "";
-    for (const SceneLoads& scene : loads.scenes) std::ranges::move(curves_of(scene, loads), std::back_inserter(figure.curves));
+    figure.curves = load_curves(loads);
     drop_shared_beginning(figure.curves);
     std::ranges::move(puncture_curves(loads), std::back_inserter(figure.curves));
+    // A curve alone has no key to say what it is.
+    if (figure.curves.size() == 1 && one_scene) figure.title += ", " + loads.models().front();
+    if (!loads.along_depth && loads.depth > 0.0)
+        figure.title += fmt::format("{}{:.4g} mm inserted", figure.title.empty() ? "" : ", ", kilo * loads.depth);
     fit_axes(figure);
     for (Curve& curve : figure.curves) {
         if (curve.dotted) space_out(curve, figure);

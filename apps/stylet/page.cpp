@@ -2,6 +2,8 @@
 
 #include "apps/stylet/table.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -66,9 +68,25 @@ std::size_t pixel_index(const Point& point) {
     return row * static_cast<std::size_t>(Page::width) + column;
 }
 
+/// The widest of gnuplot's numbers beside an axis from 0 to here, which it sets some four to twenty of.
+double tick_width(double greatest) {
+    const double power = std::pow(10.0, std::floor(std::log10(greatest))), first = greatest / power;
+    const double step = power * (first < 2.0 ? 0.2 : first < 5.0 ? 0.5 : 1.0);
+    double widest = 0.0;
+    for (int i = 1; i * step <= greatest; ++i) widest = std::max(widest, text_width(fmt::format("{:g}", i * step), Page::font));
+    return widest;
+}
+
+/// Where the plot begins: room for the y axis' numbers, and its label beside them.
+double left_margin(const Figure& figure) {
+    constexpr double label = 41.0, usual = 78.0;    // [pixels] most pictures' numbers have four characters at most
+    return std::max(usual, label + tick_width(figure.greatest.y));
+}
+
 }    // namespace
 
-Page::Page(const Figure& figure) : figure_(figure), plot_{78.0, figure.title.empty() ? 16.0 : 46.0, width - 18.0, height - 62.0} {
+Page::Page(const Figure& figure)
+    : figure_(figure), plot_{left_margin(figure), figure.title.empty() ? 16.0 : 46.0, width - 18.0, height - 62.0} {
     trace_curves();
     if (figure.curves.size() > 1) place_key();
     if (key_ && cover(*key_) > 0.0) place_key_above();

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -141,11 +142,26 @@ private:
         return found;
     }
 
+    /// Evenly spaced, and the borders of the layers between them: there the load has its kinks.
+    [[nodiscard]] std::vector<double> depth_points(const core::Scene& scene, const Interval& depth) const {
+        std::vector<double> points = depth.values(question_.points);
+        if (depth.one_value() || !scene.tissue_setup) return points;
+        const core::Quantity unit = core::read_quantity(depth.quantity(1.0), "m");    // [m] of one on the axis
+        double border = 0.0;                                                          // [m]
+        for (const Layer& layer : scene.tissue_setup->layers) {
+            border += layer.thickness;
+            const double point = rounded(border / unit.value);
+            const auto next = std::ranges::lower_bound(points, point);
+            if (next != points.begin() && next != points.end() && *next != point) points.insert(next, point);
+        }
+        return points;
+    }
+
     /// The scene stays what it is: each model and each effect is made once.
     void along_depth(const core::Scene& scene) {
         constexpr double mm = 1e-3;    // [m]
         const Interval depth = question_.depth.value_or(Interval{0.0, deepest(scene) / mm, "mm", ""});
-        loads_.points = depth.values(question_.points);
+        loads_.points = depth_points(scene, depth);
         GatheredErrors errors;
         errors.gather([&] {
             for (const double end : {loads_.points.front(), loads_.points.back()}) (void)column(scene, depth, end);

@@ -227,6 +227,17 @@ TEST(CriticalLoad, TellsScenesOfOneNameByTheirFolders) {
     EXPECT_EQ(twice.err, "a/../a/x.yaml: found this scene a second time, wanted each once\n");
 }
 
+TEST(CriticalLoad, TakesAGaugeInPlaceOfAScenesRadiiAndRadiiInPlaceOfAGauge) {
+    const Bench bench;
+    const Outcome gauge = bench.stylet({"critical-load", paper("fig3"), "--set", "needle.gauge=22G"});
+    EXPECT_THAT(gauge.out, HasSubstr("radius 0.3588 mm, inner radius 0.2065 mm (22G)"));
+    bench.write("tube.yaml",
+                "stylet: 1\ntitle: Tube\nneedle: {type: rigid, length: 100 mm, gauge: 22G, youngs_modulus: 200 GPa, ends: "
+                "clamped-free}\nrun: {rate: 1 kHz, duration: 1 s}\n");
+    const Outcome solid = bench.stylet({"critical-load", "tube.yaml", "--model", "euler", "--set", "needle.radius=0.3 mm"});
+    EXPECT_THAT(solid.out, HasSubstr("100 mm long, radius 0.3 mm, 200 GPa"));
+}
+
 TEST(CriticalLoad, WritesLoadsOfAnySizeInFourDigits) {
     const Outcome tiny = Bench().stylet({"critical-load", paper("fig3"), "--set", "needle.radius=20 um"});
     EXPECT_THAT(tiny.out, HasSubstr("euler: the needle buckles at 6.201 µN.\n"));
@@ -350,6 +361,30 @@ TEST(CriticalLoad, DrawsTheForceThatPuncturesBesideTheCurve) {
     for (const char* text : {"tip punctures", "Inserted length (mm)"}) EXPECT_TRUE(shows(svg, text)) << text;
     EXPECT_FALSE(shows(svg, square));
     EXPECT_TRUE(bench.has("l200.png"));
+}
+
+TEST(CriticalLoad, SaysOfACurveAloneWhatItIs) {
+    const Bench bench;
+    ASSERT_EQ(bench
+                  .stylet({"critical-load", paper("table1_row1"), "--depth", "50mm", "--model", "winkler", "--vary",
+                           "needle.radius=0.2..0.4mm", "--points", "3", "--plot", "alone"})
+                  .code,
+              0);
+    EXPECT_TRUE(shows(bench.read("alone.svg"), ", winkler, 50 mm inserted<"));
+}
+
+TEST(CriticalLoad, DrawsACurveOfOnePointAsAMarker) {
+    const Bench bench;
+    const Outcome plot =
+        bench.stylet({"critical-load", paper("fig3"), paper("fig10a_l200"), "--model", "euler", "--plot", "one"});
+    EXPECT_EQ(plot.code, 0) << plot.err;
+    EXPECT_TRUE(shows(bench.read("one.svg"), "<use xlink:href='#gpPt"));
+}
+
+TEST(CriticalLoad, AsksAtTheBordersOfLayersToo) {
+    const json axis = loads({paper("fig9"), "--depth", "0..50mm", "--points", "5"})["scenes"][0]["axis"];
+    EXPECT_EQ(axis, json::parse("[0.0, 12.5, 25.0, 30.0, 37.5, 50.0]"));
+    EXPECT_EQ(loads({paper("fig9"), "--depth", "0..6cm", "--points", "3"})["scenes"][0]["axis"], json::parse("[0.0, 3.0, 6.0]"));
 }
 
 TEST(CriticalLoad, DrawsSeveralScenesIntoOnePicture) {
