@@ -3,6 +3,7 @@
 #include "apps/stylet/failure.h"
 #include "apps/stylet/gnuplot.h"
 #include "apps/stylet/load_figure.h"
+#include "apps/stylet/load_files.h"
 #include "apps/stylet/load_text.h"
 #include "apps/stylet/output.h"
 #include "apps/stylet/reference_loads.h"

@@ -1,3 +1,5 @@
+#include "apps/stylet/load_files.h"
+
 #include "apps/stylet/load_advice.h"
 #include "apps/stylet/load_text.h"
 
@@ -67,7 +69,7 @@ std::string value(double number) {
     return std::isnan(number) ? "" : fmt::format("{}", number);
 }
 
-std::string with_unit(const std::string& name, const std::string& unit) {
+std::string heading(const std::string& name, const std::string& unit) {
     return cell(unit.empty() ? name : fmt::format("{} [{}]", name, unit));
 }
 
@@ -100,10 +102,10 @@ std::string loads_json(const CriticalLoads& loads) {
 
 std::string loads_csv(const CriticalLoads& loads) {
     const std::vector<std::string> models = loads.models();
-    std::string text = "scene," + with_unit(loads.axis, loads.unit) + ",puncture [N],insertion [N]";
+    std::string text = "scene," + heading(loads.axis, loads.unit) + ",puncture [N],insertion [N]";
     for (const std::string& model : models) {
-        text += "," + with_unit(model, "N");
-        if (loads.stiffness) text += "," + with_unit(model + " mu", "Pa");
+        text += "," + heading(model, "N");
+        if (loads.stiffness) text += "," + heading(model + " mu", "Pa");
     }
     const bool known = loads.scenes.front().reference.has_value();
     if (known) {

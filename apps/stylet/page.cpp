@@ -73,7 +73,11 @@ double tick_width(double greatest) {
     const double power = std::pow(10.0, std::floor(std::log10(greatest))), first = greatest / power;
     const double step = power * (first < 2.0 ? 0.2 : first < 5.0 ? 0.5 : 1.0);
     double widest = 0.0;
-    for (int i = 1; i * step <= greatest; ++i) widest = std::max(widest, text_width(fmt::format("{:g}", i * step), Page::font));
+    for (int i = 1; i * step <= greatest; ++i) {
+        std::string number = fmt::format("{:g}", i * step);
+        if (const std::size_t e = number.find('e'); e != std::string::npos) number.replace(e, std::string::npos, "×10^7");
+        widest = std::max(widest, text_width(number, Page::font));
+    }
     return widest;
 }
 

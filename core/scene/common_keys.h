@@ -34,9 +34,9 @@ inline constexpr Parameter tissue_keys[] = {
 
 inline constexpr Parameter needle_keys[] = {
     number("length", "m", positive, "needle length from the base to the tip"),
-    optional(choice("gauge", gauge_names, "a hypodermic needle of regular wall, in place of radius and inner_radius")),
-    optional(number("radius", "m", positive, "needle radius")),
-    optional(number("inner_radius", "m", positive, "inner radius of a tube; left out, the needle is solid")),
+    optional(choice("gauge", gauge_names, "a hypodermic needle of regular wall; either this or `radius`")),
+    optional(number("radius", "m", positive, "needle radius; either this or `gauge`")),
+    optional(number("inner_radius", "m", positive, "inner radius of a tube, beside `radius`; left out, the needle is solid")),
     number("youngs_modulus", "Pa", positive, "Young's modulus of the needle"),
     choice("ends", "clamped-free pinned-pinned clamped-pinned clamped-clamped",
            "how the free length is held: the base, then the end at the tissue"),

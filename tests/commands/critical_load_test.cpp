@@ -363,6 +363,20 @@ TEST(CriticalLoad, DrawsTheForceThatPuncturesBesideTheCurve) {
     EXPECT_TRUE(bench.has("l200.png"));
 }
 
+TEST(CriticalLoad, LeavesRoomForWideNumbersBesideTheAxis) {
+    const Bench bench;
+    const auto label_at = [&](const char* modulus) {    // [pixels] from the left, of the y axis' label
+        const Outcome plot = bench.stylet({"critical-load", paper("fig3"), "--vary", "needle.radius=1..6mm", "--set",
+                                           std::string("needle.youngs_modulus=") + modulus, "--plot", "wide"});
+        EXPECT_EQ(plot.code, 0) << plot.err;
+        const std::string svg = bench.read("wide.svg");
+        const std::size_t text = svg.find("Critical load (N)"), place = svg.rfind("translate(", text);
+        return std::stod(svg.substr(place + std::string("translate(").size()));
+    };
+    constexpr double half_a_line = 8.0;    // [pixels] the label stands upright about its middle
+    for (const char* modulus : {"1 GPa", "1000 GPa", "200000 GPa"}) EXPECT_GT(label_at(modulus), half_a_line) << modulus;
+}
+
 TEST(CriticalLoad, SaysOfACurveAloneWhatItIs) {
     const Bench bench;
     ASSERT_EQ(bench

@@ -132,7 +132,8 @@ TEST(CriticalLoadRefuses, AScenesWithoutWhatBuckles) {
 TEST(CriticalLoadRefuses, AVariedKeyAsItRefusesAnOverride) {
     const std::string scene = paper("fig10a_l200");
     EXPECT_EQ(asked({scene, "--vary", "needle.radius=0.1..1"}).err,
-              "--vary needle.radius: found '0.1' without a unit, wanted a length in m such as '25 mm' (needle radius)\n");
+              "--vary needle.radius: found '0.1' without a unit, wanted a length in m such as '25 mm' (needle radius; either "
+              "this or `gauge`)\n");
     EXPECT_THAT(asked({scene, "--vary", "needle.radus=0.1..1mm"}).err,
                 AllOf(StartsWith("--vary needle.radus: found an unknown key"), HasSubstr("did you mean 'radius'?")));
     EXPECT_EQ(asked({scene, "--vary", "tissue.layers[3].thickness=1..2mm"}).err,

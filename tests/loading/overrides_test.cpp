@@ -34,7 +34,8 @@ TEST(Overrides, TheLastOneOfAKeyCounts) {
 
 TEST(Overrides, AreCheckedAsTheSceneIs) {
     const Messages expected{
-        "--set needle.radius: found '1' without a unit, wanted a length in m such as '25 mm' (needle radius)",
+        "--set needle.radius: found '1' without a unit, wanted a length in m such as '25 mm' (needle radius; either this or "
+        "`gauge`)",
         "--set needle.lenth: found an unknown key, wanted one of type, length, gauge, radius, inner_radius, youngs_modulus, "
         "ends, buckling, or a map named after a needle; did you mean 'length'?"};
     Messages found = complaints({{"needle.radius", "1"}, {"needle.lenth", "1 m"}});
