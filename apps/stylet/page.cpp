@@ -72,18 +72,19 @@ std::size_t pixel_index(const Point& point) {
 double tick_width(double greatest) {
     const double power = std::pow(10.0, std::floor(std::log10(greatest))), first = greatest / power;
     const double step = power * (first < 2.0 ? 0.2 : first < 5.0 ? 0.5 : 1.0);
+    constexpr double digit = 0.64;    // of the font size, DejaVu Sans
     double widest = 0.0;
     for (int i = 1; i * step <= greatest; ++i) {
         std::string number = fmt::format("{:g}", i * step);
         if (const std::size_t e = number.find('e'); e != std::string::npos) number.replace(e, std::string::npos, "×10^7");
-        widest = std::max(widest, text_width(number, Page::font));
+        widest = std::max(widest, digit * Page::font * static_cast<double>(width_of(number)));
     }
     return widest;
 }
 
 /// Where the plot begins: room for the y axis' numbers, and its label beside them.
 double left_margin(const Figure& figure) {
-    constexpr double label = 41.0, usual = 78.0;    // [pixels] most pictures' numbers have four characters at most
+    constexpr double label = 44.0, usual = 78.0;    // [pixels] most pictures' numbers have three characters at most
     return std::max(usual, label + tick_width(figure.greatest.y));
 }
 

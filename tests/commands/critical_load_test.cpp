@@ -373,8 +373,8 @@ TEST(CriticalLoad, LeavesRoomForWideNumbersBesideTheAxis) {
         const std::size_t text = svg.find("Critical load (N)"), place = svg.rfind("translate(", text);
         return std::stod(svg.substr(place + std::string("translate(").size()));
     };
-    constexpr double half_a_line = 8.0;    // [pixels] the label stands upright about its middle
-    for (const char* modulus : {"1 GPa", "1000 GPa", "200000 GPa"}) EXPECT_GT(label_at(modulus), half_a_line) << modulus;
+    constexpr double a_line = 22.0;    // [pixels] of 16-pixel letters, turned on their side, that end at the place
+    for (const char* modulus : {"1 GPa", "1000 GPa", "200000 GPa"}) EXPECT_GT(label_at(modulus), a_line) << modulus;
 }
 
 TEST(CriticalLoad, SaysOfACurveAloneWhatItIs) {
