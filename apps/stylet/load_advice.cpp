@@ -27,6 +27,7 @@ std::string stretches(const std::vector<double>& crossings, bool from_the_beginn
 /// "Inside", or what of it was asked for.
 std::string where(const SceneLoads& scene, const CriticalLoads& loads) {
     if (loads.whole) return "Inside";
+    if (scene.points.front() == 0.0) return "Up to " + on_axis(scene.points.back(), loads);
     return fmt::format("From {} to {}", on_axis(scene.points.front(), loads), on_axis(scene.points.back(), loads));
 }
 
@@ -34,7 +35,7 @@ std::string where(const SceneLoads& scene, const CriticalLoads& loads) {
 std::string more_inside(const LoadCurve& curve, const SceneLoads& scene, const CriticalLoads& loads) {
     const bool begins_more = curve.loads.front() >= scene.puncture.front();
     if (!curve.crossings.empty())
-        return fmt::format(" {} it bears more than that {}.", where(scene, loads),
+        return fmt::format(" {} bears more than that {}.", loads.whole ? "Inside it" : "It",
                            stretches(curve.crossings, begins_more, loads));
     return fmt::format(" {} it {} that.", where(scene, loads), begins_more ? "bears more than" : "nowhere bears");
 }

@@ -45,6 +45,10 @@ double ceiling(const std::vector<SceneCurves>& scenes) {
         for (const Curve& curve : curves) {
             for (const Point& point : curve.points) all.push_back(point.y);
         }
+        // Of one scene this is drawn as well, and what the load crosses should be seen.
+        for (const double force : scenes.size() == 1 ? scene->insertion : std::vector<double>{}) {
+            if (std::isfinite(force)) puncture = std::max(puncture, force);
+        }
         if (std::isfinite(scene->puncture.front())) puncture = std::max(puncture, scene->puncture.front());
     }
     if (all.empty()) return puncture;
@@ -167,6 +171,15 @@ std::vector<Curve> puncture_curves(const CriticalLoads& loads) {
     return curves;
 }
 
+/// What the needle has to bear inside; of one scene, for each has its own.
+std::vector<Curve> insertion_curve(const CriticalLoads& loads) {
+    const bool inside = loads.along_depth || loads.depth > 0.0;
+    if (loads.stiffness || !inside || loads.scenes.size() > 1) return {};
+    const SceneLoads& scene = loads.scenes.front();
+    const Curve curve = curve_of("cutting and friction", scene.points, scene.insertion, 1.0);
+    return curve.points.empty() ? std::vector<Curve>{} : std::vector<Curve>{curve};
+}
+
 }    // namespace
 
 Figure figure_of(const CriticalLoads& loads) {
@@ -181,6 +194,7 @@ Figure figure_of(const CriticalLoads& loads) {
     figure.curves = load_curves(loads);
     drop_shared_beginning(figure.curves);
     std::ranges::move(puncture_curves(loads), std::back_inserter(figure.curves));
+    std::ranges::move(insertion_curve(loads), std::back_inserter(figure.curves));
     // A curve alone has no key to say what it is.
     if (figure.curves.size() == 1 && one_scene) figure.title += ", " + loads.models().front();
     if (!loads.along_depth && loads.depth > 0.0)

@@ -164,6 +164,8 @@ TEST(CriticalLoad, SpeaksOfThePartOfTheInsertionThatItWasAskedFor) {
     const Outcome part = Bench().stylet({"critical-load", paper("fig10a_l200"), "--depth", "10..20mm"});
     EXPECT_THAT(part.out, HasSubstr("From 10 mm to 20 mm it nowhere bears that.\n"));
     EXPECT_THAT(part.out, HasSubstr("From 10 mm to 20 mm, cutting and friction ask for 0.3591 N to 0.4091 N, which it bears.\n"));
+    const Outcome beginning = Bench().stylet({"critical-load", paper("fig10a_l200"), "--depth", "0..60mm"});
+    EXPECT_THAT(beginning.out, HasSubstr("at 1.000 N. It bears more than that from 39.72 mm on.\n  Up to 60 mm, cutting"));
     const Outcome later = Bench().stylet({"critical-load", paper("fig10a_l200"), "--depth", "80..90mm"});
     EXPECT_THAT(later.out, HasSubstr("From 80 mm to 90 mm it bears more than\n  that. From 80 mm to 90 mm, cutting"));
 }
@@ -358,7 +360,8 @@ TEST(CriticalLoad, DrawsTheForceThatPuncturesBesideTheCurve) {
     const Bench bench;
     ASSERT_EQ(bench.stylet({"critical-load", paper("fig10a_l200"), "--plot", "l200.png"}).code, 0);
     const std::string svg = bench.read("l200.svg");
-    for (const char* text : {"tip punctures", "Inserted length (mm)"}) EXPECT_TRUE(shows(svg, text)) << text;
+    for (const char* text : {"tip punctures", "cutting and friction", "Inserted length (mm)"})
+        EXPECT_TRUE(shows(svg, text)) << text;
     EXPECT_FALSE(shows(svg, square));
     EXPECT_TRUE(bench.has("l200.png"));
 }
