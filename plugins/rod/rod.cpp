@@ -399,15 +399,11 @@ STYLET_PLUGIN(
         "M (x - x~)/dt^2 + dU/dx = J^T f,  x~ = x_n + dt v_n\n"
         "U = sum over edges of EA (|e| - h)^2/2h + sum over joints of [EI (k - k0)^2 + GJ m^2]/2h\n"
         "x nodes and angles, e an edge of rest length h [m], k and m the discrete curvature and twist of a joint [1], f the "
-        "contact "
-        "forces [N]",
+        "contact forces [N]",
     .source =
         "Bergou et al. 2008 and 2010 (discrete elastic rods); backward Euler in time. Deviation: the material's angles are "
         "unknowns and have no inertia; contacts act on a Catmull-Rom curve through the nodes",
     .validity =
         "Slender elastic needles, bends of any size until the needle would meet itself. Second order in the spacing of the "
-        "nodes: "
-        "Euler's load is 0.13 % low at 41 nodes. The tip is held by what it touches, whatever `ends` says of it, so "
-        "clamped-clamped "
-        "is refused. Leaves out shear, gravity, plastic bending and contact of the needle with "
-        "itself")
+        "nodes: Euler's load is 0.13 % low at 41 nodes. The tip is held by what it touches, whatever `ends` says of it, so "
+        "clamped-clamped is refused. Leaves out shear, gravity, plastic bending and contact of the needle with itself")
