@@ -17,7 +17,7 @@ constexpr double first_shift = 0.25;
 constexpr double shift_growth = 2.0;
 // Of the largest force. A needle past its limit load that its tissue holds is stable where its boxed rows are not convex. Far
 // from balance Newton takes convex steps all the same.
-constexpr double nearly_balanced = 1e-2;
+constexpr double nearly_balanced = 3e-2;
 constexpr int most_shifts = 32;    // 2³²/(4 dt²): far stiffer than any needle
 
 // Surface that springs up along a needle moves further than its tip: so much further the mouth may go in one solve.
