@@ -146,6 +146,13 @@ TEST(WorkerPool, AllocatesNothingInARun) {
     WorkerPool pool(threads);
     std::vector<double> values(64);
     const auto square = [&](int i) { values[static_cast<std::size_t>(i)] *= values[static_cast<std::size_t>(i)]; };
+    // A worker sets itself up when it first wakes: all of them must have, before anything is counted.
+    std::atomic<int> awake{0};
+    const auto long_enough = std::chrono::steady_clock::now() + std::chrono::seconds(2);    // on one processor there are none
+    pool.each(threads, [&](int) {
+        ++awake;
+        while (awake < threads && std::chrono::steady_clock::now() < long_enough) std::this_thread::yield();
+    });
     pool.each(64, square);
     const std::size_t before = contract::allocations();
     for (int run = 0; run < 1000; ++run) pool.each(64, square);
