@@ -17,7 +17,7 @@ namespace stylet::core {
 /// pivoting on all wrong rows at once (Júdice and Pires 1994 with two bounds), or on the last wrong one alone (Murty 1974) where
 /// that doesn't shrink their number. That always ends where what is left of A is positive definite; where a needle is past its
 /// limit load it is not, and after some sets nothing is found. The answer is that of a linear system, so it doesn't depend on how
-/// many sets were tried.
+/// many sets were tried; where it is not convex there may be several, and the one nearest to the last set is found.
 class BoxProblem {
 public:
     explicit BoxProblem(int max_rows);
