@@ -8,17 +8,12 @@ namespace stylet::half_space {
 
 namespace {
 
-// Points that share a shaft contact's force evenly. A fixed number: the compliance then changes smoothly while the piece grows.
-constexpr int shaft_samples = 8;
-// A tip as large as a radius feels an interface from about this many radii away.
-constexpr double interface_radii = 4.0;
 // A piece of shaft of no length stands where the tip stands. This much softer, in its own place, it stays a contact of its own.
 constexpr double independence = 1e-9;
 // An odd number of cache lines between columns, so that a row of the compliance doesn't fall into one cache set.
 constexpr int column_padding = 8;
 // [m] A point this close above the surface is on it: rounding must not push a touching tip out of the tissue.
 constexpr double surface_tolerance = 1e-9;
-constexpr double sharp = 1e-9;    // [m] over which interfaces are blended where there is no needle to feel them
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double common_poisson_ratio(const TissueSetup& tissue) {
@@ -37,26 +32,13 @@ double radius_of(const NeedleSetup* needle) {
     return needle == nullptr ? 0.0 : needle->radius;
 }
 
-// How many points share a contact's force, and where the i-th of them is.
-int samples_of(const ContactPoint& point) {
-    return point.tip ? 1 : shaft_samples;
-}
-Vector3 sample(const ContactPoint& point, int i) {
-    return point.material + (i + 0.5) / samples_of(point) * point.span;
-}
-
-// The needle's arclength at a contact means nothing to the tissue.
-bool same_tissue(const ContactPoint& a, const ContactPoint& b) {
-    return a.material == b.material && a.span == b.span && a.tip == b.tip;
-}
-
 }    // namespace
 
 HalfSpace::HalfSpace(const Setup& setup)
     : setup_(*setup.tissue),
       kernel_(common_poisson_ratio(*setup.tissue), radius_of(setup.needle)),
-      radius_(radius_of(setup.needle)),
-      footprints_(max_contacts),
+      modulus_(setup_.layers, radius_of(setup.needle)),
+      placed_(max_contacts),
       patches_(setup_, 0.5 * kernel_.blur()),
       free_(3 * max_contacts),
       compliance_(MatrixX::Zero(3 * max_contacts + column_padding, 3 * max_contacts)),
@@ -66,7 +48,6 @@ HalfSpace::HalfSpace(const Setup& setup)
         bottoms_.push_back((bottoms_.empty() ? 0.0 : bottoms_.back()) + layer.thickness);
     }
     bottoms_.back() = setup_.extent.z();
-    for (Footprint& footprint : footprints_) footprint.samples.resize(shaft_samples);
     trial_.spare = state_.spare = infinity;
     trial_.contacts.reserve(max_contacts);
     state_.contacts.reserve(max_contacts);
@@ -92,40 +73,36 @@ void HalfSpace::rollback() {
     next_load_ = state_.load;
 }
 
-void HalfSpace::place(Footprint& footprint, const ContactPoint& point) const {
-    footprint.point = point;
-    footprint.count = samples_of(point);
-    for (int i = 0; i < footprint.count; ++i) footprint.samples[i] = sample(point, i);
-    const Vector3 middle = point.material + 0.5 * point.span;
-    footprint.weight = 1.0 / (footprint.count * std::sqrt(modulus_at(-middle.z())));
+HalfSpace::Placed HalfSpace::place(const ContactPoint& point) const {
+    const Footprint footprint(point);
+    const double count = static_cast<double>(footprint.samples().size());
+    return {.footprint = footprint, .weight = 1.0 / (count * std::sqrt(modulus_(-footprint.middle().z())))};
 }
 
-Matrix3 HalfSpace::block(const Footprint& i, const Footprint& j) const {
+Matrix3 HalfSpace::block(const Placed& i, const Placed& j) const {
     Matrix3 sum = Matrix3::Zero();
-    for (int a = 0; a < i.count; ++a) {
-        for (int b = 0; b < j.count; ++b) sum += kernel_(i.samples[a], j.samples[b]);
+    for (const Vector3& a : i.footprint.samples()) {
+        for (const Vector3& b : j.footprint.samples()) sum += kernel_(a, b);
     }
     return i.weight * j.weight * sum;
 }
 
 void HalfSpace::fill(int row, int count) {
-    const Footprint& footprint = footprints_[row];
+    const Placed& placed = placed_[row];
     for (int other = 0; other < count; ++other) {
         if (other == row) continue;
-        const Matrix3 mutual = block(footprint, footprints_[other]);
+        const Matrix3 mutual = block(placed, placed_[other]);
         compliance_.block<3, 3>(3 * row, 3 * other) = mutual;
         compliance_.block<3, 3>(3 * other, 3 * row) = mutual.transpose();
     }
-    const Matrix3 self = block(footprint, footprint);
+    const Matrix3 self = block(placed, placed);
     compliance_.block<3, 3>(3 * row, 3 * row) = 0.5 * (1.0 + independence) * (self + self.transpose());
-    if (footprint.point.tip) {    // the open track behind the tip: never stiffer than a punch on the surface
-        const Vector3 surface = footprint.weight * footprint.weight * kernel_(Vector3::Zero(), Vector3::Zero()).diagonal();
+    if (placed.footprint.point().tip) {    // the open track behind the tip: never stiffer than a punch on the surface
+        const Vector3 surface = placed.weight * placed.weight * kernel_(Vector3::Zero(), Vector3::Zero()).diagonal();
         auto diagonal = compliance_.block<3, 3>(3 * row, 3 * row).diagonal();
         diagonal = diagonal.cwiseMax(surface);
     }
-    if (!patches_.none()) {
-        patches_.meet(row, {footprint.samples.data(), static_cast<std::size_t>(footprint.count)}, footprint.weight);
-    }
+    if (!patches_.none()) patches_.meet(row, placed.footprint.samples(), placed.weight);
 }
 
 // Where the contacts would be if only the patches were loaded.
@@ -138,8 +115,8 @@ void HalfSpace::shift_contacts(ContactPoints points) {
 Linearisation HalfSpace::linearise(ContactPoints points, double /*shift: no inertia*/) {
     const int count = static_cast<int>(points.size());
     for (int i = 0; i < count; ++i) {
-        if (i < known_ && same_tissue(footprints_[i].point, points[i])) continue;
-        place(footprints_[i], points[i]);
+        if (i < known_ && placed_[i].footprint.is_of(points[i])) continue;
+        placed_[i] = place(points[i]);
         free_.segment<3>(3 * i) = points[i].material;
         fill(i, std::max(i + 1, std::min(known_, count)));
     }
@@ -180,24 +157,13 @@ void HalfSpace::move_patches(const Forces& forces) {
 Vector3 HalfSpace::displacement(const Vector3& material) const {
     Vector3 sum = patches_.displacement(material, state_.load);
     for (const Pressed& contact : state_.contacts) {
-        const int count = samples_of(contact.point);
+        const Footprint footprint(contact.point);
+        const double count = static_cast<double>(footprint.samples().size());
         Vector3 shares = Vector3::Zero();
-        for (int i = 0; i < count; ++i) shares += kernel_(material, sample(contact.point, i)) * contact.force;
-        const Vector3 middle = contact.point.material + 0.5 * contact.point.span;
-        sum += shares / (count * std::sqrt(modulus_at(-middle.z())));
+        for (const Vector3& sample : footprint.samples()) shares += kernel_(material, sample) * contact.force;
+        sum += shares / (count * std::sqrt(modulus_(-footprint.middle().z())));
     }
-    return sum / std::sqrt(modulus_at(-material.z()));
-}
-
-// Geometric blend over a few radii on either side of each interface: a tip that crosses one feels it come.
-double HalfSpace::modulus_at(double depth) const {
-    const double half_width = std::max(sharp, interface_radii * radius_);
-    double modulus = setup_.layers.front().youngs_modulus;
-    for (std::size_t i = 0; i + 1 < bottoms_.size(); ++i) {
-        const double t = std::clamp(0.5 * (1.0 + (depth - bottoms_[i]) / half_width), 0.0, 1.0);
-        modulus *= std::pow(setup_.layers[i + 1].youngs_modulus / setup_.layers[i].youngs_modulus, t * t * (3.0 - 2.0 * t));
-    }
-    return modulus;
+    return sum / std::sqrt(modulus_(-material.z()));
 }
 
 int HalfSpace::layer_at(double depth) const {

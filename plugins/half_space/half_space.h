@@ -1,9 +1,11 @@
 // The cheapest honest tissue: an elastic half-space, no mesh.
 #pragma once
 
-#include "kernel.h"
 #include "loaded_patches.h"
 
+#include <stylet/footprint.h>
+#include <stylet/layered_modulus.h>
+#include <stylet/mindlin_kernel.h>
 #include <stylet/tissue_model.h>
 
 #include <vector>
@@ -14,9 +16,9 @@ namespace stylet::half_space {
 ///
 ///     u_i = Σ_j W_ij f_j,    W_ij = mean over both pieces of track of K(x, y) / √(E_i E_j)
 ///
-/// K is Mindlin's point load blurred to the needle's radius (kernel.h). A shaft contact is a row of points along its piece of
-/// track. The tip keeps the compliance of a punch on the surface at every depth: the track behind it is open, so it doesn't feel
-/// the full space that an embedded disc would.
+/// K is Mindlin's point load blurred to the needle's radius (mindlin_kernel.h). A shaft contact is a row of points along its
+/// piece of track. The tip keeps the compliance of a punch on the surface at every depth: the track behind it is open, so it
+/// doesn't feel the full space that an embedded disc would.
 ///
 /// Patches of the surface that effects load are rectangles of uniform traction, solved in closed form (rectangle.h). They join
 /// the same W: a load moves the contacts, the contacts' forces move its patch, and the energy is ½ fᵀWf over all of them.
@@ -52,12 +54,10 @@ public:
     Matrix3 punch(double youngs_modulus) const { return kernel_(Vector3::Zero(), Vector3::Zero()) / youngs_modulus; }
 
 private:
-    /// A contact as the compliance sees it: a few points that share its force evenly.
-    struct Footprint {
-        ContactPoint point{};
-        std::vector<Vector3> samples;
-        int count = 0;
-        double weight = 0.0;    // 1/(count √E)
+    /// A contact as the compliance sees it.
+    struct Placed {
+        Footprint footprint;
+        double weight = 0.0;    // 1/(n √E) of each of its n samples
     };
     /// A contact and what presses there.
     struct Pressed {
@@ -72,22 +72,21 @@ private:
         VectorX patches_moved;    // 3m, [m] the means of their displacements
     };
 
-    void place(Footprint& footprint, const ContactPoint& point) const;
-    Matrix3 block(const Footprint& i, const Footprint& j) const;
+    Placed place(const ContactPoint& point) const;
+    Matrix3 block(const Placed& i, const Placed& j) const;
     void fill(int row, int count);
     void shift_contacts(ContactPoints points);
     void move_patches(const Forces& forces);
     int layer_at(double depth) const;
-    double modulus_at(double depth) const;
     double room_at(double depth) const;
 
     TissueSetup setup_;
-    Kernel kernel_;
-    double radius_;                  // [m] of the needle
+    MindlinKernel kernel_;
+    LayeredModulus modulus_;
     std::vector<double> bottoms_;    // [m] depth of each layer's bottom
-    std::vector<Footprint> footprints_;
+    std::vector<Placed> placed_;
     LoadedPatches patches_;
-    int known_ = 0;           // how many footprints, from the first, the compliance is filled for
+    int known_ = 0;           // how many contacts, from the first, the compliance is filled for
     VectorX free_;            // 3n
     MatrixX compliance_;      // 3n × 3n
     VectorX displacement_;    // 3n, scratch of try_step

@@ -1,6 +1,5 @@
-#include "kernel.h"
-
 #include <stylet/contract/contract.h>
+#include <stylet/mindlin_kernel.h>
 #include <stylet/tissue_model.h>
 
 #include <cmath>
@@ -13,7 +12,7 @@ namespace stylet {
 namespace {
 
 using contract::Case;
-using half_space::Kernel;
+using Kernel = MindlinKernel;
 using std::numbers::pi;
 
 TissueSetup two_layers() {

@@ -14,8 +14,8 @@ namespace stylet::half_space {
 /// The patches of the surface that effects load: how far they move themselves, each other and what else there is.
 ///
 /// A patch is a rectangle of uniform traction, of the modulus of the top layer. What belongs to the needle is felt with half its
-/// blur (Kernel): that is the square root of the spread which two of its contacts share, so that contacts and patches together
-/// keep one symmetric, positive definite compliance.
+/// blur (MindlinKernel): that is the square root of the spread which two of its contacts share, so that contacts and patches
+/// together keep one symmetric, positive definite compliance.
 class LoadedPatches {
 public:
     /// `tissue` must outlive it. `half_blur` [m], zero where there is no needle.

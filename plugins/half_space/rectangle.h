@@ -13,11 +13,11 @@ struct Rectangle {
     [[nodiscard]] double area() const { return 4.0 * half_x * half_y; }    // [m²]
 };
 
-/// Displacement at `x` for a unit force on the rectangle: the mean of Kernel(x, ·), with the blur b [m], over it. Column j is
-/// that of a force in direction j, times Young's modulus [m/N per 1/Pa]. A point above the surface counts as on it.
+/// Displacement at `x` for a unit force on the rectangle: the mean of MindlinKernel(x, ·), with the blur b [m], over it. Column j
+/// is that of a force in direction j, times Young's modulus [m/N per 1/Pa]. A point above the surface counts as on it.
 ///
-/// In closed form. With X, Y from the load to the point, D = depth + b, R² = X² + Y² + D² and Ω = D ln(R + D) − R, Kernel is, on
-/// a source at the surface and without its factor (1 + ν)/2π,
+/// In closed form. With X, Y from the load to the point, D = depth + b, R² = X² + Y² + D² and Ω = D ln(R + D) − R, MindlinKernel
+/// is, on a source at the surface and without its factor (1 + ν)/2π,
 ///
 ///     xx: 2/R − ∂²R/∂X² + b ∂²ln(R + D)/∂X² − (1 − 2ν) ∂²Ω/∂X²        xy: the same with ∂²/∂X∂Y, and without 2/R
 ///     zz: 2(1 − ν)/R + depth·D/R³                                     xz, zx: depth ∂(1/R)/∂X ± (1 − 2ν) ∂ln(R + D)/∂X

@@ -1,6 +1,6 @@
 #include "rectangle.h"
 
-#include "kernel.h"
+#include <stylet/mindlin_kernel.h>
 
 #include <boost/math/quadrature/gauss.hpp>
 
@@ -62,7 +62,7 @@ constexpr double accuracy = 1e-6;      // relative: what is promised of a loaded
 constexpr double quadrature = 1e-9;    // relative: fifteen points on pieces that shrink tenfold towards what is near
 
 TEST_P(HalfSpaceRectangle, MovesAPointByTheMeanOfTheKernel) {
-    const Kernel kernel(GetParam(), radius);
+    const MindlinKernel kernel(GetParam(), radius);
     double worst = 0.0;
     for (const Vector3& x : {Vector3(2e-3, -1e-3, 0.0), Vector3(4e-3, 2e-3, -5e-3), Vector3(12.5e-3, 6e-3, -1e-4),
                              Vector3(12.5e-3, 0.0, 0.0), Vector3(-50e-3, 30e-3, 0.0), Vector3(2e-3, 0.0, -50e-3)}) {

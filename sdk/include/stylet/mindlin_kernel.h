@@ -3,10 +3,11 @@
 
 #include <stylet/types.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace stylet::half_space {
+namespace stylet {
 
 /// Displacement at one point of an elastic half-space (z ≤ 0, free surface z = 0) for a unit force at another [m/N per 1/Pa].
 ///
@@ -16,10 +17,10 @@ namespace stylet::half_space {
 /// the rigid punch of radius a, (1 − ν²)/(2aE); a horizontal one (2 − ν)/(8Ga); deep inside, (3 − 4ν)/(32G(1 − ν)a) is the
 /// embedded rigid disc (Selvadurai 1976). Multiplying by a positive factor per wave number keeps the kernel symmetric and
 /// positive definite. Deviation from Mindlin: the spread itself; a few radii away the two agree to O(a/R).
-class Kernel {
+class MindlinKernel {
 public:
     /// `radius` a of the needle [m].
-    Kernel(double poisson_ratio, double radius)
+    MindlinKernel(double poisson_ratio, double radius)
         : nu_(poisson_ratio),
           blur_(2.0 * radius / std::numbers::pi),
           scale_((1.0 + poisson_ratio) / (8.0 * std::numbers::pi * (1.0 - poisson_ratio))) {}
@@ -76,4 +77,4 @@ private:
     double scale_;    // E/(16πG(1 − ν))
 };
 
-}    // namespace stylet::half_space
+}    // namespace stylet
