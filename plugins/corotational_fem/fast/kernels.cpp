@@ -1,0 +1,58 @@
+#include "fast/kernels.h"
+
+namespace stylet::corotational_fem {
+
+namespace sse2 {
+extern const PanelKernels panel_kernels;
+}
+namespace avx2 {
+extern const PanelKernels panel_kernels;
+}
+namespace avx512 {
+extern const PanelKernels panel_kernels;
+}
+
+bool supported(InstructionSet set) {
+    const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("f16c");
+    switch (set) {
+        case InstructionSet::sse2:
+            return true;
+        case InstructionSet::avx2:
+            return avx2;
+        case InstructionSet::avx512:
+            break;
+    }
+    return avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+           __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+}
+
+InstructionSet best_instruction_set() {
+    if (supported(InstructionSet::avx512)) return InstructionSet::avx512;
+    return supported(InstructionSet::avx2) ? InstructionSet::avx2 : InstructionSet::sse2;
+}
+
+const char* name(InstructionSet set) {
+    switch (set) {
+        case InstructionSet::sse2:
+            return "SSE2";
+        case InstructionSet::avx2:
+            return "AVX2";
+        case InstructionSet::avx512:
+            break;
+    }
+    return "AVX-512";
+}
+
+const PanelKernels& panel_kernels(InstructionSet set) {
+    switch (set) {
+        case InstructionSet::sse2:
+            return sse2::panel_kernels;
+        case InstructionSet::avx2:
+            return avx2::panel_kernels;
+        case InstructionSet::avx512:
+            break;
+    }
+    return avx512::panel_kernels;
+}
+
+}    // namespace stylet::corotational_fem

@@ -1,0 +1,127 @@
+// Products with 16 × 16 tiles (kernels.h). Part of a namespace of one instruction set, which says native_lanes.
+
+namespace {
+
+#define STYLET_INLINE inline __attribute__((always_inline))
+
+using Native = float __attribute__((vector_size(native_lanes * sizeof(float))));
+using NativeIndex = int __attribute__((vector_size(native_lanes * sizeof(int))));
+
+constexpr int tile = lanes * lanes;            // numbers in a tile
+constexpr int parts = lanes / native_lanes;    // registers in a column of a tile
+
+STYLET_INLINE Native load(const float* from) { return *reinterpret_cast<const Native*>(from); }
+
+#if defined(__AVX512F__)
+STYLET_INLINE Native load(const std::uint16_t* from) {
+    // Without the mask g++ 12 warns of its own header.
+    return reinterpret_cast<Native>(_mm512_maskz_cvtph_ps(0xFFFF, _mm256_load_si256(reinterpret_cast<const __m256i*>(from))));
+}
+#elif defined(__F16C__)
+STYLET_INLINE Native load(const std::uint16_t* from) {
+    return reinterpret_cast<Native>(_mm256_cvtph_ps(_mm_load_si128(reinterpret_cast<const __m128i*>(from))));
+}
+#endif
+
+STYLET_INLINE void store(float* to, Native value) { *reinterpret_cast<Native*>(to) = value; }
+
+// Of two vectors, in each of which `run` lanes at a time are of one sum, one in which half as many are, those of `a` first.
+template <int run>
+STYLET_INLINE Native join(Native a, Native b) {
+    NativeIndex first{}, second{};
+#pragma GCC unroll 16
+    for (int lane = 0; lane < native_lanes; ++lane) {
+        const int within = lane % run;
+        first[lane] = within < run / 2 ? lane : native_lanes + lane - run / 2;
+        second[lane] = first[lane] + run / 2;
+    }
+    return __builtin_shuffle(a, b, first) + __builtin_shuffle(a, b, second);
+}
+
+// Lane i of the result is what all lanes of sums[i] add up to.
+template <int stride = 1>
+STYLET_INLINE Native join_all(const Native* sums) {
+    if constexpr (stride == native_lanes) {
+        return sums[0];
+    } else {
+        return join<2 * stride>(join_all<2 * stride>(sums), join_all<2 * stride>(sums + stride));
+    }
+}
+
+// u += T b
+template <class Stored>
+STYLET_INLINE void add_tile(const Stored* t, const float* b, float* u) {
+    Native even[parts], odd[parts];
+#pragma GCC unroll 4
+    for (int p = 0; p < parts; ++p) {
+        even[p] = load(u + p * native_lanes);
+        odd[p] = Native{};
+    }
+#pragma GCC unroll 16
+    for (int j = 0; j < lanes; j += 2) {
+#pragma GCC unroll 4
+        for (int p = 0; p < parts; ++p) {
+            even[p] += load(t + j * lanes + p * native_lanes) * b[j];
+            odd[p] += load(t + (j + 1) * lanes + p * native_lanes) * b[j + 1];
+        }
+    }
+#pragma GCC unroll 4
+    for (int p = 0; p < parts; ++p) store(u + p * native_lanes, even[p] + odd[p]);
+}
+
+// Of a column of tiles below each other: Tᵀ u, as many of its numbers at a time as there are lanes in a register, beginning with `first`.
+template <class Stored>
+STYLET_INLINE Native sideways(const Stored* t, int rows, int first, const float* u) {
+    Native sums[native_lanes] = {};
+    t += first * lanes;
+    for (int r = 0; r < rows; ++r, t += tile) {
+#pragma GCC unroll 4
+        for (int p = 0; p < parts; ++p) {
+            const Native v = load(u + r * lanes + p * native_lanes);
+#pragma GCC unroll 16
+            for (int i = 0; i < native_lanes; ++i) sums[i] += load(t + i * lanes + p * native_lanes) * v;
+        }
+    }
+    return join_all(sums);
+}
+
+template <class Stored>
+void general(const void* stored, int rows, int columns, int first, int last, const float* b, float* u) {
+    for (int c = 0; c < columns; ++c) {
+        const Stored* t = static_cast<const Stored*>(stored) + (c * rows + first) * tile;
+        for (int r = first; r < last; ++r, t += tile) add_tile(t, b + c * lanes, u + r * lanes);
+    }
+}
+
+template <class Stored>
+void transposed(const void* stored, int rows, int columns, const float* u, float* b) {
+    const Stored* t = static_cast<const Stored*>(stored);
+    for (int c = 0; c < columns; ++c, t += rows * tile) {
+        for (int i = c * lanes; i < (c + 1) * lanes; i += native_lanes) store(b + i, load(b + i) - sideways(t, rows, i - c * lanes, u));
+    }
+}
+
+template <class Stored>
+void symmetric(const void* stored, int tiles, const float* b, float* y) {
+    const Stored* t = static_cast<const Stored*>(stored);
+    for (int c = 0; c < tiles; ++c) {
+        const Stored* below = t + tile;
+        for (int r = c; r < tiles; ++r, t += tile) add_tile(t, b + c * lanes, y + r * lanes);
+        for (int i = c * lanes; i < (c + 1) * lanes; i += native_lanes) {
+            store(y + i, load(y + i) + sideways(below, tiles - c - 1, i - c * lanes, b + (c + 1) * lanes));
+        }
+    }
+}
+
+template <class Stored>
+constexpr PanelProducts products{symmetric<Stored>, general<Stored>, transposed<Stored>};
+
+#undef STYLET_INLINE
+
+}    // namespace
+
+#if defined(__F16C__)
+extern const PanelKernels panel_kernels{products<float>, products<std::uint16_t>};
+#else
+extern const PanelKernels panel_kernels{products<float>, {}};
+#endif
