@@ -1,0 +1,272 @@
+#include "solid/newton.h"
+
+#include <cmath>
+#include <limits>
+
+namespace stylet::corotational_fem {
+
+namespace {
+
+// A step that leaves more of the residual than this has outlived its factor.
+constexpr double worn = 0.1;
+constexpr int most_halvings = 12;
+constexpr double sufficient = 1e-4;    // of what the slope promises (Armijo 1966)
+// Of the potential: rounding of sums over a mesh.
+constexpr double rounding = 1e-13;
+
+VectorX three_each(const VectorX& of_nodes) {
+    VectorX all(3 * of_nodes.size());
+    for (Eigen::Index i = 0; i < of_nodes.size(); ++i) all.segment<3>(3 * i).setConstant(of_nodes[i]);
+    return all;
+}
+
+}    // namespace
+
+Newton::Newton(const Mesh& mesh, std::span<const Material> materials, const Motion& motion)
+    : solid_(mesh, materials, motion.share_pressure),
+      motion_(motion),
+      tangent_(mesh, motion.share_pressure),
+      weight_(VectorX::Zero(3 * mesh.node_count())),
+      load_(weight_),
+      placed_(max_contacts),
+      moved_(MatrixX::Zero(3 * mesh.node_count(), 3 * max_contacts)),
+      compliance_(MatrixX::Zero(3 * max_contacts, 3 * max_contacts)),
+      residual_(weight_),
+      pressed_(weight_),
+      ahead_(weight_),
+      before_(weight_),
+      damping_forces_(weight_),
+      right_(3 * tangent_.free_nodes()),
+      permuted_(right_) {
+    if (motion.implicit || !motion.gravity.isZero(0.0)) {
+        mass_ = three_each(solid_.lumped_mass());
+        for (const int node : tangent_.nodes()) weight_.segment<3>(3 * node) = mass_[3 * node] * motion.gravity;
+    }
+    trial_ = {.u = load_,
+              .start = load_,
+              .coasting = load_,
+              .loads = load_,
+              .inner = load_,
+              .contact_forces = VectorX::Zero(3 * max_contacts)};
+    state_ = origin_ = trial_;
+    factor_.analyzePattern(tangent_.matrix());
+    evaluate();
+    state_ = origin_ = trial_;
+    factorise();
+}
+
+void Newton::load(std::span<const NodeForce> forces) {
+    load_.setZero();
+    for (const NodeForce& each : forces) load_.segment<3>(3 * each.node) += each.force;
+}
+
+void Newton::place(int contact, std::span<const NodeWeight> footprint) {
+    placed_[contact].footprint.assign(footprint.begin(), footprint.end());
+    placed_[contact].answered = false;
+}
+
+double Newton::step_length() const {
+    return trial_.dt > 0.0 ? trial_.dt : motion_.dt;
+}
+
+void Newton::predict(double dt) {
+    trial_.damping = state_.damping;
+    trial_.numerical = state_.numerical;
+    origin_ = trial_;
+    trial_.loads = load_;
+    if (dt > 0.0) {
+        const double ahead = trial_.dt > 0.0 ? dt / trial_.dt : 0.0;
+        trial_.coasting = trial_.u + ahead * (trial_.u - trial_.start);
+        trial_.start = trial_.u;
+        trial_.dt = dt;
+        if (motion_.implicit) trial_.u = trial_.coasting;
+    }
+    evaluate();
+}
+
+void Newton::rollback() {
+    trial_ = state_;
+    load_ = state_.loads;
+    contacts_ = 0;
+    evaluate();
+    trial_ = state_;
+}
+
+// Everything that the trial displacements say, without the forces from outside.
+void Newton::evaluate() {
+    trial_.inner.setZero();
+    trial_.elastic = solid_.strain(trial_.u, trial_.inner);
+    trial_.kinetic = 0.0;
+    potential_ = trial_.elastic - (weighs() ? weight_.dot(trial_.u) : 0.0) - trial_.loads.dot(trial_.u);
+    damping_forces_.setZero();
+    if (motion_.damping_time > 0.0) {
+        const double lost = solid_.damp(trial_.u, trial_.start, motion_.damping_time / step_length(), damping_forces_);
+        potential_ += 0.5 * lost;
+        trial_.inner += damping_forces_;
+    }
+    if (motion_.implicit) {
+        const double rate = 1.0 / (step_length() * step_length());    // [1/s²]
+        before_ = trial_.u - trial_.coasting;
+        potential_ += 0.5 * rate * (mass_.array() * before_.array().square()).sum();
+        trial_.inner.array() += rate * mass_.array() * before_.array();
+        if (trial_.dt > 0.0) {
+            trial_.kinetic = 0.5 * rate * (mass_.array() * (trial_.u - trial_.start).array().square()).sum();
+        } else {
+            trial_.inner += weight_;    // about to be let go: a = g
+        }
+    }
+    keep_books(damping_forces_);
+    balance();
+}
+
+// Energy lost since origin_: to the damper, and to the integrator by the trapezoid rule.
+void Newton::keep_books(const VectorX& damping_forces) {
+    before_ = trial_.u - origin_.u;
+    const double damped = damping_forces.dot(before_);
+    const double work = 0.5 * (origin_.inner + trial_.inner).dot(before_);
+    trial_.damping = origin_.damping + damped;
+    trial_.numerical =
+        origin_.numerical + work - damped - (trial_.elastic - origin_.elastic) - (trial_.kinetic - origin_.kinetic);
+}
+
+// r = w + f + Jᵀλ − inner
+void Newton::balance() {
+    pressed_.setZero();
+    for (int i = 0; i < contacts_; ++i) {
+        for (const auto& [node, weight] : placed_[i].footprint) {
+            pressed_.segment<3>(3 * node) += weight * trial_.contact_forces.segment<3>(3 * i);
+        }
+    }
+    residual_.setZero();
+    for (const int node : tangent_.nodes()) {
+        const auto at = 3 * node;
+        residual_.segment<3>(at) =
+            weight_.segment<3>(at) + trial_.loads.segment<3>(at) + pressed_.segment<3>(at) - trial_.inner.segment<3>(at);
+    }
+}
+
+double Newton::imbalance() const {
+    double greatest = 0.0;
+    for (const int node : tangent_.nodes()) greatest = std::max(greatest, residual_.segment<3>(3 * node).norm());
+    return std::isfinite(residual_.sum()) ? greatest : std::numeric_limits<double>::infinity();
+}
+
+// The true tangent where it is definite.
+void Newton::factorise() {
+    if (!factorise(Twists::exact) && !factorise(Twists::definite)) {
+        throw Error("fixed",
+                    "found a mesh that is singular, wanted one that is held: part of it can move without being strained");
+    }
+    factor_step_ = step_length();
+    stale_ = false;
+    for (Placed& placed : placed_) placed.answered = false;
+}
+
+bool Newton::factorise(Twists twists) {
+    tangent_.clear();
+    const double dt = step_length();
+    solid_.stiffen(trial_.u, 1.0 + motion_.damping_time / dt, twists, tangent_);
+    if (motion_.implicit) {
+        for (const int node : tangent_.nodes()) {
+            tangent_.add(node, node, mass_[3 * node] / (dt * dt) * Matrix3::Identity());
+        }
+    }
+    factor_.factorize(tangent_.matrix());
+    ++factorisations_;
+    return factor_.info() == Eigen::Success && factor_.vectorD().minCoeff() > 0.0;
+}
+
+void Newton::solve(const VectorX& forces, VectorX& displacements) {
+    for (int i = 0; i < tangent_.free_nodes(); ++i) right_.segment<3>(3 * i) = forces.segment<3>(3 * tangent_.nodes()[i]);
+    permuted_ = factor_.permutationP() * right_;
+    factor_.matrixL().solveInPlace(permuted_);
+    permuted_.array() /= factor_.vectorD().array();
+    factor_.matrixU().solveInPlace(permuted_);
+    right_ = factor_.permutationPinv() * permuted_;
+    for (int i = 0; i < tangent_.free_nodes(); ++i) displacements.segment<3>(3 * tangent_.nodes()[i]) = right_.segment<3>(3 * i);
+}
+
+// The mesh under a newton on each direction of a contact, and how far that moves those answered before.
+void Newton::answer(int contact) {
+    for (int direction = 0; direction < 3; ++direction) {
+        before_.setZero();
+        for (const auto& [node, weight] : placed_[contact].footprint) before_[3 * node + direction] += weight;
+        solve(before_, before_);
+        column(contact, direction) = before_;
+    }
+    placed_[contact].answered = true;
+    for (int other = 0; other < max_contacts; ++other) {
+        if (!placed_[other].answered) continue;
+        Matrix3 block = Matrix3::Zero();
+        for (const auto& [node, weight] : placed_[other].footprint) {
+            block += weight * moved_.block<3, 3>(3 * node, 3 * contact);
+        }
+        if (other == contact) block = (0.5 * (block + block.transpose())).eval();
+        compliance_.block<3, 3>(3 * other, 3 * contact) = block;
+        compliance_.block<3, 3>(3 * contact, 3 * other) = block.transpose();
+    }
+}
+
+Vector3 Newton::mean(const Placed& placed, const VectorX& u) {
+    Vector3 sum = Vector3::Zero();
+    for (const auto& [node, weight] : placed.footprint) sum += weight * u.segment<3>(3 * node);
+    return sum;
+}
+
+void Newton::linearise(int contacts, Eigen::Ref<VectorX> free, Eigen::Ref<MatrixX, 0, Eigen::OuterStride<>> compliance) {
+    if (stale_ || factor_step_ != step_length()) factorise();
+    contacts_ = contacts;
+    trial_.contact_forces.tail(3 * (max_contacts - contacts)).setZero();
+    for (int i = 0; i < contacts; ++i) {
+        if (!placed_[i].answered) answer(i);
+    }
+    balance();
+    if (imbalance() > tolerance) {
+        solve(residual_, ahead_);
+    } else {
+        ahead_.setZero();
+    }
+    compliance = compliance_.topLeftCorner(3 * contacts, 3 * contacts);
+    for (int i = 0; i < contacts; ++i) free.segment<3>(3 * i) = mean(placed_[i], trial_.u) + mean(placed_[i], ahead_);
+    free.noalias() -= compliance * trial_.contact_forces.head(3 * contacts);
+}
+
+void Newton::take_forces(const Forces& forces) {
+    contacts_ = static_cast<int>(forces.size()) / 3;
+    trial_.contact_forces.setZero();
+    trial_.contact_forces.head(forces.size()) = forces;
+    balance();
+}
+
+StepReport Newton::try_step(Forces forces) {
+    take_forces(forces);
+    const double before = imbalance();
+    if (before <= tolerance) return {.residual = 0.0};
+    solve(residual_, ahead_);
+    const double slope = residual_.dot(ahead_);    // [J] by which the potential falls along the step, to first order
+    const double start = potential_ - pressed_.dot(trial_.u);
+    const double noise = rounding * (std::abs(potential_) + std::abs(start) + trial_.elastic);
+    const auto falls = [&](double length) {
+        return potential_ - pressed_.dot(trial_.u) <= start - sufficient * length * slope + noise;
+    };
+    double length = 1.0;
+    trial_.u += ahead_;
+    evaluate();
+    for (int i = 0; i < most_halvings && !falls(length); ++i) {
+        length *= 0.5;
+        trial_.u -= length * ahead_;
+        evaluate();
+    }
+    const double after = imbalance();
+    stale_ = after > tolerance && !(after <= worn * before);
+    return {.residual = after <= tolerance ? 0.0 : after};
+}
+
+EnergyReport Newton::energy() const {
+    return {.stored = trial_.elastic - weight_.dot(trial_.u),
+            .kinetic = trial_.kinetic,
+            .damping = trial_.damping,
+            .numerical = trial_.numerical};
+}
+
+}    // namespace stylet::corotational_fem
