@@ -85,6 +85,7 @@ void Simulation::begin(const Pose& first) {
         travel_ = -setup_.length;
     }
     lost_ = !step(base_, dt_, spacing_);
+    begun_ = true;
     for (int i = 1; i <= steps_in && !lost_ && base_.position != first.position; ++i) {
         lost_ = !move_to(between(base_, first, 1.0 / (steps_in + 1 - i)), dt_, 0);
     }
@@ -161,7 +162,7 @@ bool Simulation::step(const Pose& target, double dt, double most_advance) {
     StepCosts costs{.relocation = coupling_.carry(tissue_, set_)};
     loads_.note_carried();
     loads_.apply(now_ + dt);
-    tissue_.predict(dt);
+    tissue_.predict(begun_ ? dt : 0.0);
     const CouplingReport report = coupling_.solve(needle_, tissue_, set_, contacts_.mouth(), most_advance, dt);
     // Slip at the mouth of the track has changed the free length: a bowed needle's energy with it, in this step's books.
     needle_.predict(target, contacts_.free_length_after(set_), 0.0);

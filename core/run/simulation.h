@@ -114,6 +114,7 @@ private:
     double time_ = 0.0;      // [s]
     double now_ = 0.0;       // [s] of the last commit, within the tick
     double travel_ = 0.0;    // [m]
+    bool begun_ = false;     // the very first step found where needle and tissue are; until then a tissue's clock stands still
     Pose base_;
     double imbalance_ = 0.0;    // of the last step at rest, as a share of what is allowed
     bool held_back_ = false;    // the last step's tip had further to go at rest of the hand

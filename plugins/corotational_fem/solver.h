@@ -63,6 +63,9 @@ public:
     [[nodiscard]] virtual EnergyReport energy() const = 0;
 
     [[nodiscard]] virtual Vector3 displacement(int node) const = 0;    // [m] of a mesh node, latest trial state
+
+    /// Whether a tetrahedron of the latest trial state is turned inside out.
+    [[nodiscard]] virtual bool inverted() const = 0;
 };
 
 }    // namespace stylet::corotational_fem

@@ -35,6 +35,8 @@ public:
     EnergyReport energy() const override;
     Vector3 displacement(int node) const override { return trial_.u.segment<3>(3 * node); }
 
+    bool inverted() const override { return solid_.inverted(); }
+
     [[nodiscard]] int factorisations() const { return factorisations_; }
 
 private:

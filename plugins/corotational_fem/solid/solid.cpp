@@ -158,6 +158,10 @@ void Solid::stiffen_shared(const Patch& patch, double factor, Tangent& tangent) 
     }
 }
 
+bool Solid::inverted() const {
+    return std::any_of(polars_.begin(), polars_.end(), [](const Polar& polar) { return polar.stretches[2] < 0.0; });
+}
+
 VectorX Solid::lumped_mass() const {
     VectorX mass = VectorX::Zero(mesh_.node_count());
     for (int e = 0; e < mesh_.size(); ++e) {

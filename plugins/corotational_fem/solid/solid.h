@@ -43,6 +43,9 @@ public:
     /// Adds the tangent ∂²Ψ/∂u² at u, times `factor`.
     void stiffen(const VectorX& u, double factor, Twists twists, Tangent& tangent);
 
+    /// Whether a tetrahedron is turned inside out at the displacements seen last.
+    [[nodiscard]] bool inverted() const;
+
     /// A quarter of each tetrahedron's mass [kg] at each of its nodes. Throws Error at `layers` where a density is missing.
     [[nodiscard]] VectorX lumped_mass() const;
 

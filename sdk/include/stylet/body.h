@@ -40,7 +40,8 @@ struct Linearisation {
 
 /// What a trial step left undone.
 struct StepReport {
-    double residual = 0.0;    // [N] largest force imbalance in the trial state
+    double residual = 0.0;    // [N] largest force imbalance in the trial state; none once a body that solves to an accuracy which
+                              // its scene states is within it: what that leaves shows in the energy books
     bool tangent_changed =
         false;    // the linearisation just used belongs to another branch: linearise again, whatever the residual
 };

@@ -18,7 +18,9 @@ class TissueModel : public Body {
 public:
     static constexpr Role role = Role::tissue;
 
-    /// Moves the tissue under everything already known for `dt` [s]. dt = 0: core solves again at one instant, nothing moves on.
+    /// Moves the tissue under everything already known for `dt` [s], on from the latest trial state. dt = 0: core solves again at
+    /// one instant, nothing moves on. That is how it begins too: where a tissue has inertia, it is let go in the first step that
+    /// takes time.
     virtual void predict(double dt) = 0;
 
     /// The patches that the scene's effects load, told before anything else. Each call replaces the last; the span doesn't
