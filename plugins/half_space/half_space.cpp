@@ -37,7 +37,7 @@ double radius_of(const NeedleSetup* needle) {
 HalfSpace::HalfSpace(const Setup& setup)
     : setup_(*setup.tissue),
       kernel_(common_poisson_ratio(*setup.tissue), radius_of(setup.needle)),
-      modulus_(setup_.layers, radius_of(setup.needle)),
+      elasticity_(setup_.layers, radius_of(setup.needle)),
       placed_(max_contacts),
       patches_(setup_, 0.5 * kernel_.blur()),
       free_(3 * max_contacts),
@@ -76,7 +76,7 @@ void HalfSpace::rollback() {
 HalfSpace::Placed HalfSpace::place(const ContactPoint& point) const {
     const Footprint footprint(point);
     const double count = static_cast<double>(footprint.samples().size());
-    return {.footprint = footprint, .weight = 1.0 / (count * std::sqrt(modulus_(-footprint.middle().z())))};
+    return {.footprint = footprint, .weight = 1.0 / (count * std::sqrt(elasticity_.modulus(-footprint.middle().z())))};
 }
 
 Matrix3 HalfSpace::block(const Placed& i, const Placed& j) const {
@@ -161,9 +161,9 @@ Vector3 HalfSpace::displacement(const Vector3& material) const {
         const double count = static_cast<double>(footprint.samples().size());
         Vector3 shares = Vector3::Zero();
         for (const Vector3& sample : footprint.samples()) shares += kernel_(material, sample) * contact.force;
-        sum += shares / (count * std::sqrt(modulus_(-footprint.middle().z())));
+        sum += shares / (count * std::sqrt(elasticity_.modulus(-footprint.middle().z())));
     }
-    return sum / std::sqrt(modulus_(-material.z()));
+    return sum / std::sqrt(elasticity_.modulus(-material.z()));
 }
 
 int HalfSpace::layer_at(double depth) const {

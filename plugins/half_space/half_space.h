@@ -4,7 +4,7 @@
 #include "loaded_patches.h"
 
 #include <stylet/footprint.h>
-#include <stylet/layered_modulus.h>
+#include <stylet/layered_elasticity.h>
 #include <stylet/mindlin_kernel.h>
 #include <stylet/tissue_model.h>
 
@@ -82,7 +82,7 @@ private:
 
     TissueSetup setup_;
     MindlinKernel kernel_;
-    LayeredModulus modulus_;
+    LayeredElasticity elasticity_;
     std::vector<double> bottoms_;    // [m] depth of each layer's bottom
     std::vector<Placed> placed_;
     LoadedPatches patches_;
