@@ -1,0 +1,47 @@
+// The inverse of a matrix as dense blocks, one pair a supernode, in double precision.
+#pragma once
+
+#include "fast/dissection.h"
+
+#include <stylet/workers.h>
+
+#include <vector>
+
+namespace stylet::corotational_fem {
+
+/// A⁻¹ of a positive definite A, as a block elimination S⁻¹ and M = B S⁻¹ for each supernode: S its own block of A once all
+/// earlier supernodes are eliminated (its Schur complement), B what ties its rows to it. With them
+///     forward:  r_rows −= M r_own,    backward:  x_own = S⁻¹ r_own − Mᵀ x_rows
+/// is a solve. Vectors are in places (Dissection), x, y, z of each.
+class Factor {
+public:
+    /// Holds on to the dissection.
+    explicit Factor(const Dissection& dissection);
+
+    /// Takes these values. Throws stylet::Error "singular: …" where the matrix is not positive definite, to the accuracy of
+    /// double precision; the factor is then of no use until the next call that doesn't throw. Allocates.
+    void refactor(const BlockMatrix& matrix, Workers& workers);
+
+    /// x := A⁻¹ x; 3 numbers a place.
+    void solve(Eigen::Ref<VectorX> x) const;
+
+    [[nodiscard]] const MatrixX& inverse(int supernode) const { return blocks_[supernode].inverse; }
+    [[nodiscard]] const MatrixX& below(int supernode) const { return blocks_[supernode].below; }
+    [[nodiscard]] const Dissection& dissection() const { return dissection_; }
+
+private:
+    struct Blocks {
+        MatrixX inverse;    // [m/N] S⁻¹, symmetric
+        MatrixX below;      // M
+    };
+
+    [[nodiscard]] bool eliminate(int supernode, const BlockMatrix& matrix, std::vector<int>& position);
+
+    const Dissection& dissection_;
+    std::vector<std::vector<int>> children_;    // of each supernode
+    std::vector<Blocks> blocks_;
+    std::vector<MatrixX>
+        updates_;    // [N/m] what a supernode adds to the block of its rows, lower triangle, until its parent has it
+};
+
+}    // namespace stylet::corotational_fem
