@@ -56,9 +56,9 @@ Planes planes_of(const TissueSetup& tissue, int nz) {
     return planes;
 }
 
-/// The same numbers on either side of the middle.
+/// The same numbers on either side of the middle, and half the width exactly at the ends.
 double centred(double width, int i, int count) {
-    return width * (2 * i - count) / (2.0 * count);
+    return width * ((2 * i - count) / (2.0 * count));
 }
 
 /// The corners of a cell along each of its six tetrahedra, x + 2y + 4z; odd orders of the axes have two of them swapped, so

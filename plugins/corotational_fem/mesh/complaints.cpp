@@ -13,7 +13,9 @@ std::string tag_of(const std::vector<std::uint64_t>& tags, int index) {
 }
 
 std::string shown(const Vector3& place) {
-    return "(" + figure(place.x()) + ", " + figure(place.y()) + ", " + figure(place.z()) + ") m";
+    char text[96];
+    std::snprintf(text, sizeof text, "(%g, %g, %g) m", place.x(), place.y(), place.z());
+    return text;
 }
 
 }    // namespace

@@ -4,6 +4,8 @@
 #include "mesh/gmsh_file.h"
 #include "mesh/meshes_for_tests.h"
 
+#include <stylet/contract/allocations.h>
+
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -217,7 +219,18 @@ TEST(Locator, ItsBoundaryIsClosedAndFacesOutwards) {
     }
 }
 
-TEST(Locator, AnswersForALargeMeshFromAFewTetrahedra) {
+TEST(Locator, AllocatesNothingToAnswer) {
+    const Mesh mesh = two_layers();
+    const Locator locator(mesh);
+    const std::size_t before = contract::allocations();
+    const Vector3 above(0.0, 0.0, 1e-3), inside(0.001, 0.002, -0.02);
+    const MeshPlace place = locator.find(inside);
+    const double fraction = locator.entry(above, inside);
+    EXPECT_EQ(contract::allocations(), before);
+    EXPECT_TRUE(place.tetrahedron != no_tetrahedron && fraction > 0.0);
+}
+
+TEST(Locator, AnswersForALargeMesh) {
     const TissueSetup tissue = tissue_of(Vector3(0.1, 0.1, 0.05), {{"gel", 0.05}});
     const Mesh mesh = block_mesh(tissue, {23, 23, 16});
     const auto clock = [] { return std::chrono::steady_clock::now(); };

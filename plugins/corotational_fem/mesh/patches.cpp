@@ -1,10 +1,11 @@
 #include "mesh/patches.h"
 
+#include "mesh/buckets.h"
 #include "mesh/faces.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
-#include <tuple>
 
 namespace stylet::corotational_fem {
 namespace {
@@ -44,11 +45,16 @@ public:
 
 private:
     void order_nodes() {
-        const auto place = [&](int n) {
-            const Vector3& at = mesh_.nodes[n];
-            return std::make_tuple(at.z(), at.y(), at.x());
-        };
-        node_order_ = sorted_positions(mesh_.nodes.size(), [&](int a, int b) { return place(a) < place(b); });
+        constexpr double rounding = 1e-9;    // of the size: nodes on one plane of a file may differ by this
+        Box box;
+        for (const Vector3& node : mesh_.nodes) box.take_in(node);
+        const double quantum = rounding * box.size().norm();
+        std::vector<std::array<std::int64_t, 3>> places;
+        for (const Vector3& node : mesh_.nodes) {
+            const Vector3 steps = (node - box.least) / quantum;
+            places.push_back({std::llround(steps.z()), std::llround(steps.y()), std::llround(steps.x())});
+        }
+        node_order_ = sorted_positions(places.size(), [&](int a, int b) { return places[a] < places[b]; });
         node_rank_.resize(node_order_.size());
         for (std::size_t i = 0; i < node_order_.size(); ++i) node_rank_[node_order_[i]] = static_cast<int>(i);
     }
