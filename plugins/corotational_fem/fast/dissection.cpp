@@ -165,6 +165,7 @@ std::array<std::vector<std::vector<int>>, 3> stages(const Tree& tree) {
 // Gives a branch the next places.
 void place(const Branch& branch, const std::vector<int>& row_at, Dissection& into, std::vector<int>& place_of_column) {
     into.supernodes.push_back({into.places(), static_cast<int>(branch.columns.size()), 0, 0});
+    into.supernode.insert(into.supernode.end(), branch.columns.size(), static_cast<int>(into.supernodes.size()) - 1);
     for (const int column : branch.columns) {
         place_of_column[column] = into.places();
         into.place[row_at[column]] = into.places();
@@ -227,6 +228,7 @@ Dissection dissect(const BlockMatrix& matrix) {
     }
     for (std::size_t s = 0; s < order.size(); ++s) add_rows(d.supernodes[s], tree.branches[order[s]], place_of_column, d.rows);
     tie(d);
+    for (const int row : matrix.row) d.place_of_node.push_back(row < 0 ? d.places() : d.place[row]);
     return d;
 }
 

@@ -29,6 +29,8 @@ struct Group {
 struct Dissection {
     std::vector<int> place;               // of each row of the matrix
     std::vector<int> row;                 // of each place
+    std::vector<int> place_of_node;       // of each mesh node; fixed ones have the one after the last, places()
+    std::vector<int> supernode;           // of each place
     std::vector<Supernode> supernodes;    // children before parents; together their places have no gaps
     std::vector<int> rows;                // [places] ascending within a supernode
     std::vector<Group> groups;            // children before parents
@@ -36,6 +38,9 @@ struct Dissection {
     int stages = 0;                       // the groups of a stage need those of earlier ones only
 
     [[nodiscard]] int places() const { return static_cast<int>(row.size()); }
+
+    /// The supernode that holds the first of this one's rows; −1: none.
+    [[nodiscard]] int parent(int s) const { return supernodes[s].rows == 0 ? -1 : supernode[rows[supernodes[s].rows_begin]]; }
 };
 
 [[nodiscard]] Dissection dissect(const BlockMatrix& matrix);

@@ -21,14 +21,8 @@ Factor::Factor(const Dissection& dissection)
       children_(dissection.supernodes.size()),
       blocks_(dissection.supernodes.size()),
       updates_(dissection.supernodes.size()) {
-    std::vector<int> owner(dissection.places());
-    for (int s = 0; s < static_cast<int>(dissection.supernodes.size()); ++s) {
-        const Supernode& supernode = dissection.supernodes[s];
-        std::fill_n(owner.begin() + supernode.first, supernode.size, s);
-    }
-    for (int s = 0; s < static_cast<int>(dissection.supernodes.size()); ++s) {
-        const Supernode& supernode = dissection.supernodes[s];
-        if (supernode.rows > 0) children_[owner[dissection.rows[supernode.rows_begin]]].push_back(s);
+    for (int s = 0; s < static_cast<int>(children_.size()); ++s) {
+        if (const int parent = dissection.parent(s); parent >= 0) children_[parent].push_back(s);
     }
 }
 

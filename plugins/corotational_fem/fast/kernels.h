@@ -38,6 +38,9 @@ struct PanelProducts {
 struct PanelKernels {
     PanelProducts whole;    // stored as float
     PanelProducts half;     // stored as IEEE half precision; null pointers where the processor can't convert it
+
+    /// products[3 i + j] += aᵢ·bⱼ, of three vectors each, one after the other, of `length` numbers, padded.
+    void (*dots)(const float* a, const float* b, int length, float* products);
 };
 
 /// Of a set that this processor supports.

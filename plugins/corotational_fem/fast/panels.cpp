@@ -91,6 +91,7 @@ Panels::Panels(const Factor& factor, Storage storage, InstructionSet set)
     : dissection_(factor.dissection()),
       storage_(storage),
       products_(storage == Storage::half ? panel_kernels(set).half : panel_kernels(set).whole),
+      dots_(panel_kernels(set).dots),
       scale_(dissection_.places()) {
     lay_out();
     pack(factor);

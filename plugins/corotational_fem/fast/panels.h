@@ -82,6 +82,7 @@ private:
     const Dissection& dissection_;
     Storage storage_;
     PanelProducts products_;
+    decltype(PanelKernels::dots) dots_;
     std::vector<Line> blocks_;
     std::vector<float> scale_;    // of each place: C
     std::vector<Part> parts_;     // of each supernode

@@ -113,6 +113,21 @@ void symmetric(const void* stored, int tiles, const float* b, float* y) {
     }
 }
 
+void dots(const float* a, const float* b, int length, float* products) {
+    Native sums[9] = {};
+    for (int at = 0; at < length; at += native_lanes) {
+#pragma GCC unroll 3
+        for (int i = 0; i < 3; ++i) {
+            const Native v = load(a + i * length + at);
+#pragma GCC unroll 3
+            for (int j = 0; j < 3; ++j) sums[3 * i + j] += v * load(b + j * length + at);
+        }
+    }
+    for (int i = 0; i < 9; ++i) {
+        for (int lane = 0; lane < native_lanes; ++lane) products[i] += sums[i][lane];
+    }
+}
+
 template <class Stored>
 constexpr PanelProducts products{symmetric<Stored>, general<Stored>, transposed<Stored>};
 
@@ -121,7 +136,7 @@ constexpr PanelProducts products{symmetric<Stored>, general<Stored>, transposed<
 }    // namespace
 
 #if defined(__F16C__)
-extern const PanelKernels panel_kernels{products<float>, products<std::uint16_t>};
+extern const PanelKernels panel_kernels{products<float>, products<std::uint16_t>, dots};
 #else
-extern const PanelKernels panel_kernels{products<float>, {}};
+extern const PanelKernels panel_kernels{products<float>, {}, dots};
 #endif

@@ -1,0 +1,132 @@
+#include "fast/reach.h"
+
+#include <algorithm>
+
+namespace stylet::corotational_fem {
+
+Reach::Reach(Panels& panels) : panels_(panels), path_(panels.parts_.size()), stop_(panels.parts_.size(), -1) {
+    std::size_t lines = 0, rows = 0;
+    for (const Panels::Part& part : panels.parts_) {
+        lines += 3 * part.own_tiles;
+        rows = std::max(rows, static_cast<std::size_t>(part.row_tiles));
+    }
+    loads_.resize(lines);
+    answers_.resize(lines);
+    rows_.resize(rows);
+}
+
+void Reach::sweep(std::span<const NodeWeight> footprint) {
+    find_path(footprint);
+    load(footprint);
+    for (int i = 0; i < stops_; ++i) climb(path_[i]);
+}
+
+// All supernodes from those of the footprint up to their roots.
+void Reach::find_path(std::span<const NodeWeight> footprint) {
+    const Dissection& d = panels_.dissection_;
+    for (int i = 0; i < stops_; ++i) stop_[path_[i].supernode] = -1;
+    stops_ = 0;
+    for (const NodeWeight& share : footprint) {
+        const int place = d.place_of_node[share.node];
+        if (place == d.places()) continue;
+        for (int s = d.supernode[place]; s >= 0 && stop_[s] < 0; s = d.parent(s)) {
+            stop_[s] = 0;
+            path_[stops_++] = {s, panels_.parts_[s].own_tiles, 0};
+        }
+    }
+    std::sort(path_.begin(), path_.begin() + stops_, [](const Stop& a, const Stop& b) { return a.supernode < b.supernode; });
+    for (int i = 0, at = 0; i < stops_; at += 3 * path_[i].lines, ++i) {
+        path_[i].at = at;
+        stop_[path_[i].supernode] = i;
+    }
+}
+
+void Reach::load(std::span<const NodeWeight> footprint) {
+    const Dissection& d = panels_.dissection_;
+    const int lines = stops_ == 0 ? 0 : path_[stops_ - 1].at + 3 * path_[stops_ - 1].lines;
+    std::fill_n(loads(0), lines * lanes, 0.0F);
+    for (const NodeWeight& share : footprint) {
+        const int place = d.place_of_node[share.node];
+        if (place == d.places()) continue;
+        const Stop& stop = path_[stop_[d.supernode[place]]];
+        float* const own = loads(stop.at) + 3 * (place - d.supernodes[stop.supernode].first);
+        const float load = panels_.scale_[place] * static_cast<float>(share.weight);
+        for (int axis = 0; axis < 3; ++axis) own[axis * stop.lines * lanes + axis] += load;
+    }
+}
+
+// From a stop's load its answer, and what of it is left for the stops above.
+void Reach::climb(const Stop& stop) {
+    const Dissection& d = panels_.dissection_;
+    const Supernode& supernode = d.supernodes[stop.supernode];
+    const Panels::Part& part = panels_.parts_[stop.supernode];
+    float* const rows = reinterpret_cast<float*>(rows_.data());
+    std::fill_n(answers(stop.at), 3 * stop.lines * lanes, 0.0F);
+    for (int axis = 0; axis < 3; ++axis) {
+        const float* const own = loads(stop.at + axis * stop.lines);
+        panels_.products_.symmetric(&panels_.blocks_[part.inverse], part.own_tiles, own, answers(stop.at + axis * stop.lines));
+        std::fill_n(rows, part.row_tiles * lanes, 0.0F);
+        panels_.products_.general(panels_.blocks_.data() + part.below, part.row_tiles, part.own_tiles, 0, part.row_tiles, own,
+                                  rows);
+        for (int i = 0; i < supernode.rows; ++i) {
+            const int place = d.rows[supernode.rows_begin + i];
+            const Stop& above = path_[stop_[d.supernode[place]]];
+            float* const to = loads(above.at + axis * above.lines) + 3 * (place - d.supernodes[above.supernode].first);
+            for (int k = 0; k < 3; ++k) to[k] -= rows[3 * i + k];
+        }
+    }
+}
+
+Matrix3 Reach::compliance(const Reach& other) const {
+    float products[9] = {};
+    for (int i = 0; i < stops_; ++i) {
+        const Stop& stop = path_[i];
+        const int theirs = other.stop_[stop.supernode];
+        if (theirs < 0) continue;
+        panels_.dots_(loads(stop.at), other.answers(other.path_[theirs].at), stop.lines * lanes, products);
+    }
+    Matrix3 w;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j)
+            w(i, j) = this == &other ? 0.5 * (products[3 * i + j] + products[3 * j + i]) : products[3 * i + j];
+    }
+    return w;
+}
+
+Vector3 Reach::displacement() const {
+    Vector3 sum = Vector3::Zero();
+    for (int i = 0; i < stops_; ++i) {
+        const Stop& stop = path_[i];
+        const Float4* const swept = panels_.swept_.data() + panels_.parts_[stop.supernode].own;
+        const float* const answer = answers(stop.at);
+        const int count = panels_.dissection_.supernodes[stop.supernode].size;
+        for (int axis = 0; axis < 3; ++axis) {
+            const float* at = answer + axis * stop.lines * lanes;
+            float part = 0.0F;
+            for (int node = 0; node < count; ++node, at += 3) {
+                part += at[0] * swept[node].x + at[1] * swept[node].y + at[2] * swept[node].z;
+            }
+            sum[axis] += part;
+        }
+    }
+    return sum;
+}
+
+void Reach::push(const Vector3& force) const {
+    const float f[3] = {static_cast<float>(force.x()), static_cast<float>(force.y()), static_cast<float>(force.z())};
+    for (int i = 0; i < stops_; ++i) {
+        const Stop& stop = path_[i];
+        Float4* const swept = panels_.swept_.data() + panels_.parts_[stop.supernode].own;
+        const int count = panels_.dissection_.supernodes[stop.supernode].size;
+        for (int axis = 0; axis < 3; ++axis) {
+            const float* at = loads(stop.at + axis * stop.lines);
+            for (int node = 0; node < count; ++node, at += 3) {
+                swept[node].x += f[axis] * at[0];
+                swept[node].y += f[axis] * at[1];
+                swept[node].z += f[axis] * at[2];
+            }
+        }
+    }
+}
+
+}    // namespace stylet::corotational_fem
