@@ -1,6 +1,8 @@
 #include "mesh/block_mesh.h"
 
+#include "mesh/complaints.h"
 #include "mesh/held.h"
+#include "mesh/mesh_checks.h"
 
 #include <algorithm>
 #include <string>
@@ -12,11 +14,15 @@ using Cells = std::array<int, 3>;
 
 constexpr double most_cells = 1e6;    // six million tetrahedra: far more than any tick could move
 
-void refuse_unless_sound(const Cells& cells, std::size_t layers) {
+void refuse_counts(const Cells& cells, const TissueSetup& tissue) {
     const auto [nx, ny, nz] = cells;
+    const std::size_t layers = tissue.layers.size();
     const std::string found = "found " + std::to_string(nx) + " x " + std::to_string(ny) + " x " + std::to_string(nz) + " cells";
     if (std::min({nx, ny, nz}) < 1) throw Error("cells", found + ", wanted at least one along each axis");
     if (static_cast<double>(nx) * ny * nz > most_cells) throw Error("cells", found + ", wanted at most 1000000 in all");
+    if (holds_sides(tissue) && std::min(nx, ny) == 1) {
+        throw Error("cells", found + ", all of whose nodes are on the sides, which are held, wanted two at least along x and y");
+    }
     if (static_cast<std::size_t>(nz) < layers) {
         throw Error("cells", "found " + std::to_string(nz) + " along z for " + std::to_string(layers) +
                                  " layers, wanted at least one cell through each layer");
@@ -72,10 +78,25 @@ constexpr std::array<std::array<int, 4>, 6> kuhn = {{
     {0, 5, 1, 7},    // x, z, y
 }};
 
+/// Looks at one cell of each level: those beside it are alike.
+void refuse_slivers(const Mesh& mesh, const TissueSetup& tissue, int cells_in_level) {
+    const std::size_t step = kuhn.size() * cells_in_level;
+    for (std::size_t first = 0; first < mesh.tetrahedra.size(); first += step) {
+        for (std::size_t t = first; t < first + kuhn.size(); ++t) {
+            const Tetrahedron& nodes = mesh.tetrahedra[t];
+            if (!is_sliver(mesh, nodes)) continue;
+            const Vector3 size = mesh.nodes[nodes[3]] - mesh.nodes[nodes[0]];
+            throw Error("cells", "found cells of " + figure(size.x()) + " x " + figure(size.y()) + " x " + figure(size.z()) +
+                                     " m in the layer \"" + tissue.layers[mesh.layers[t]].name +
+                                     "\", whose tetrahedra are slivers, wanted cells of more even sides");
+        }
+    }
+}
+
 }    // namespace
 
 Mesh block_mesh(const TissueSetup& tissue, const Cells& cells) {
-    refuse_unless_sound(cells, tissue.layers.size());
+    refuse_counts(cells, tissue);
     const auto [nx, ny, nz] = cells;
     const Planes planes = planes_of(tissue, nz);
     const std::array<int, 3> strides = {1, nx + 1, (nx + 1) * (ny + 1)};
@@ -100,6 +121,7 @@ Mesh block_mesh(const TissueSetup& tissue, const Cells& cells) {
         mesh.layers.insert(mesh.layers.end(), kuhn.size(), planes.layers[nz - 1 - k]);
         mesh.patches.insert(mesh.patches.end(), kuhn.size(), cell);
     }
+    refuse_slivers(mesh, tissue, nx * ny);
     return mesh;
 }
 

@@ -136,9 +136,10 @@ TEST(BlockMesh, HoldsWhatTheTissueSays) {
 }
 
 TEST(BlockMesh, SaysWhichCellsItWants) {
-    const auto with = [](std::array<int, 3> cells) {
+    TissueSetup tissue = skin_and_muscle();
+    const auto with = [&](std::array<int, 3> cells) {
         try {
-            (void)block_mesh(skin_and_muscle(), cells);
+            (void)block_mesh(tissue, cells);
         } catch (const Error& error) {
             return error.key() + ": " + error.what();
         }
@@ -149,6 +150,14 @@ TEST(BlockMesh, SaysWhichCellsItWants) {
     EXPECT_EQ(with({4, 4, -1}), "cells: found 4 x 4 x -1 cells, wanted at least one along each axis");
     EXPECT_EQ(with({2000000000, 2000000000, 2000000000}),
               "cells: found 2000000000 x 2000000000 x 2000000000 cells, wanted at most 1000000 in all");
+    EXPECT_EQ(with({400, 1, 2}),
+              "cells: found cells of 0.0001 x 0.03 x 0.016 m in the layer \"muscle\", whose tetrahedra are slivers, "
+              "wanted cells of more even sides");
+    EXPECT_EQ(with({1, 3, 2}), "accepted");
+    tissue.fixed = "sides";
+    EXPECT_EQ(with({1, 3, 2}),
+              "cells: found 1 x 3 x 2 cells, all of whose nodes are on the sides, which are held, wanted two at least "
+              "along x and y");
 }
 
 }    // namespace

@@ -123,7 +123,7 @@ TEST(GmshDamage, NothingCrashesTheReader) {
         const std::string sound = name.empty() ? cube_41() : contents(name);
         for (int i = 0; i < 300; ++i) {
             std::string text = sound;
-            for (std::size_t changes = 1 + below(4); changes > 0; --changes) {
+            for (std::size_t changes = 1 + below(4); changes > 0 && !text.empty(); --changes) {
                 const std::size_t at = below(i % 2 == 0 ? text.size() : std::min<std::size_t>(text.size(), 2000));
                 switch (below(5)) {
                     case 0:

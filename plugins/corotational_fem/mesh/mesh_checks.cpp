@@ -50,12 +50,11 @@ void check_shapes(const Mesh& mesh, Complaints& complaints) {
             complaints.add("inverted tetrahedra, wanted nodes in right-handed order", complaints.tetrahedron(t) + of_volume);
         } else if (volume <= zero) {
             complaints.add("flat tetrahedra, wanted some volume in each", complaints.tetrahedron(t) + of_volume);
-        } else if (const double angle = smallest_dihedral_angle(mesh, nodes); angle < least_dihedral_angle) {
-            complaints.add("slivers, wanted no angle between faces below " + figure(least_dihedral_angle) + " degrees",
-                           complaints.tetrahedron(t) + " has " + figure(angle) + " degrees");
-        } else if (const double aspect = aspect_of(mesh, nodes); aspect > greatest_aspect) {
-            complaints.add("slivers, wanted no longest edge over least height above " + figure(greatest_aspect),
-                           complaints.tetrahedron(t) + " has " + figure(aspect));
+        } else if (is_sliver(mesh, nodes)) {
+            complaints.add("slivers, wanted no angle between faces below " + figure(least_dihedral_angle) +
+                               " degrees and no longest edge over least height above " + figure(greatest_aspect),
+                           complaints.tetrahedron(t) + " has " + figure(smallest_dihedral_angle(mesh, nodes)) + " degrees and " +
+                               figure(aspect_of(mesh, nodes)));
         }
     }
     if (left_handed == mesh.size()) {
@@ -110,6 +109,9 @@ void check_overlaps(const Mesh& mesh, std::span<const FaceUse> faces, Complaints
 }
 
 void check_nodes(const Mesh& mesh, Complaints& complaints) {
+    if (std::find(mesh.fixed.begin(), mesh.fixed.end(), 0) == mesh.fixed.end()) {
+        complaints.add("every node fixed, wanted some that are free", "nothing is left to move");
+    }
     std::vector<char> used(mesh.nodes.size(), 0);
     for (const Tetrahedron& nodes : mesh.tetrahedra) {
         for (const int node : nodes) used[node] = 1;
@@ -165,6 +167,10 @@ double aspect_of(const Mesh& mesh, const Tetrahedron& tetrahedron) {
     const double volume = std::abs(volume_of(mesh, tetrahedron));
     if (!(volume > 0.0)) return std::numeric_limits<double>::infinity();
     return longest_edge(mesh, tetrahedron) * largest / (6.0 * volume);
+}
+
+bool is_sliver(const Mesh& mesh, const Tetrahedron& tetrahedron) {
+    return smallest_dihedral_angle(mesh, tetrahedron) < least_dihedral_angle || aspect_of(mesh, tetrahedron) > greatest_aspect;
 }
 
 void check_mesh(const Mesh& mesh, const MeshTags& tags, const std::string& key) {

@@ -57,15 +57,18 @@ TEST(MeshChecks, MeasureShapesAsTextbooksDo) {
 TEST(MeshChecks, RefusesASliverOfATenthOfADegree) {
     const double height = std::tan(0.1 * std::numbers::pi / 180.0) / (2.0 * std::sqrt(3.0));
     const std::string found = refusal_of(pyramid(height));
-    expect_says(found, "found slivers, wanted no angle between faces below 0.5 degrees:\n  tetrahedron 0 (nodes 0, 1, 2, 3)");
-    expect_says(found, "m has 0.1 degrees");
+    expect_says(
+        found,
+        "found slivers, wanted no angle between faces below 0.5 degrees and no longest edge over least height above 1000:\n"
+        "  tetrahedron 0 (nodes 0, 1, 2, 3)");
+    expect_says(found, "m has 0.1 degrees and 1984.");
 }
 
 /// Hard case 6.
 TEST(MeshChecks, RefusesANeedleOfAspectTenThousand) {
     const Mesh needle = pyramid(1e4);
     EXPECT_GT(smallest_dihedral_angle(needle, needle.tetrahedra[0]), 30.0) << "its angles are good";
-    expect_says(refusal_of(needle), "found slivers, wanted no longest edge over least height above 1000:");
+    expect_says(refusal_of(needle), "degrees and 11547");
 }
 
 TEST(MeshChecks, AcceptsWhatIsJustWithinTheBounds) {
@@ -138,6 +141,12 @@ TEST(MeshChecks, RefusesAMeshThatNothingHolds) {
     expect_says(refusal_of(mesh), wanted);    // they are on one edge: it can turn about them
     mesh.fixed[4] = 1;
     EXPECT_EQ(refusal_of(mesh), "accepted");
+}
+
+TEST(MeshChecks, RefusesAMeshWithoutAFreeNode) {
+    Mesh mesh = block();
+    std::fill(mesh.fixed.begin(), mesh.fixed.end(), 1);
+    expect_says(refusal_of(mesh), "found every node fixed, wanted some that are free");
 }
 
 /// Two blocks of the same tissue, a gap of 1 mm apart, that share the nodes which `merged` picks.
