@@ -19,28 +19,29 @@ enum class InstructionSet : std::uint8_t { sse2, avx2, avx512 };    // x86-64; w
 
 [[nodiscard]] const char* name(InstructionSet set);
 
-/// Products with the dense blocks of a supernode (panels.h tells how they lie), for blocks stored in one way.
+/// Products with the dense blocks of a supernode, for blocks stored in one way.
 ///
-/// A tile is 16 × 16 numbers, column by column. Vectors are padded with zeros to whole sixteens, and aligned to 64 bytes as the
-/// tiles are.
+/// A tile is 16 × 16 numbers, column by column. A symmetric matrix S of n × n tiles is stored as, for each column of tiles, the
+/// diagonal one and those below it; a matrix M of m × n tiles as all of each column of tiles. Vectors are padded with zeros to
+/// whole sixteens, and aligned to 64 bytes as the tiles are; the columns of three follow each other.
 struct PanelProducts {
-    /// y += S b, of a symmetric matrix S of `tiles` × `tiles`. Stored: of each column of tiles the diagonal one and those below
-    /// it.
-    void (*symmetric)(const void* stored, int tiles, const float* b, float* y);
-
-    /// u += M b for the rows of tiles [first, last) of a matrix M of `rows` × `columns` tiles, stored column of tiles by column.
-    void (*general)(const void* stored, int rows, int columns, int first, int last, const float* b, float* u);
-
-    /// b −= Mᵀ u.
-    void (*transposed)(const void* stored, int rows, int columns, const float* u, float* b);
+    void (*symmetric)(const void* s, int n, const float* b, float* y);                     // y += S b
+    void (*general)(const void* m, int rows, int columns, const float* b, float* u);       // u += M b
+    void (*transposed)(const void* m, int rows, int columns, const float* u, float* b);    // b −= Mᵀ u
+    void (*symmetric_of_three)(const void* s, int n, const float* b, float* y);
+    void (*general_of_three)(const void* m, int rows, int columns, const float* b, float* u);
 };
 
 struct PanelKernels {
     PanelProducts whole;    // stored as float
     PanelProducts half;     // stored as IEEE half precision; null pointers where the processor can't convert it
 
-    /// products[3 i + j] += aᵢ·bⱼ, of three vectors each, one after the other, of `length` numbers, padded.
+    /// products[3 i + j] += aᵢ·bⱼ of three vectors each, of `length` numbers.
     void (*dots)(const float* a, const float* b, int length, float* products);
+    /// products[i] += aᵢ·b
+    void (*dots_with_one)(const float* a, const float* b, int length, float* products);
+    /// b += Σ fᵢ aᵢ
+    void (*add)(const float* a, const float* f, int length, float* b);
 };
 
 /// Of a set that this processor supports.

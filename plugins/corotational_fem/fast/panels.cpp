@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace stylet::corotational_fem {
 
@@ -13,40 +14,27 @@ int tiles(int nodes) {
     return (3 * nodes + lanes - 1) / lanes;
 }
 
-// The three numbers of each node, one node after the other; may write one number beyond them.
-void compact(const Float4* nodes, int count, float* to) {
-    for (int i = 0; i < count; ++i, to += 3) {
-        to[0] = nodes[i].x;
-        to[1] = nodes[i].y;
-        to[2] = nodes[i].z;
-    }
+using Quad = float __attribute__((vector_size(16)));
+
+Quad& quad(Float4& node) {
+    return reinterpret_cast<Quad&>(node);
+}
+const Quad& quad(const Float4& node) {
+    return reinterpret_cast<const Quad&>(node);
 }
 
-void compact(const Float4* nodes, const int* slots, int count, float* to) {
-    for (int i = 0; i < count; ++i, to += 3) {
-        const Float4& node = nodes[slots[i]];
-        to[0] = node.x;
-        to[1] = node.y;
-        to[2] = node.z;
-    }
+// The three numbers of each node, one node after the other. The fourth, which may be anything, is written too, and then over.
+template <class Slot>
+void compact(const Float4* nodes, int count, Slot&& slot, float* to) {
+    for (int i = 0; i < count - 1; ++i, to += 3) std::memcpy(to, &nodes[slot(i)], sizeof(Float4));
+    if (count > 0) std::memcpy(to, &nodes[slot(count - 1)], 3 * sizeof(float));
 }
 
-void subtract(const float* from, Float4* nodes, const int* slots, int count) {
-    for (int i = 0; i < count; ++i, from += 3) {
-        Float4& node = nodes[slots[i]];
-        node.x -= from[0];
-        node.y -= from[1];
-        node.z -= from[2];
-    }
-}
-
-void add(const Float4* from, Float4* nodes, const int* slots, int count) {
-    for (int i = 0; i < count; ++i) {
-        Float4& node = nodes[slots[i]];
-        node.x += from[i].x;
-        node.y += from[i].y;
-        node.z += from[i].z;
-    }
+// The other way round; reads one number beyond the last node's.
+Quad expand(const float* from) {
+    Quad v;
+    std::memcpy(&v, from, sizeof(v));
+    return v;
 }
 
 Float4 scaled(float by, const Float4& v) {
@@ -90,68 +78,67 @@ Storage smallest_storage(InstructionSet set) {
 Panels::Panels(const Factor& factor, Storage storage, InstructionSet set)
     : dissection_(factor.dissection()),
       storage_(storage),
-      products_(storage == Storage::half ? panel_kernels(set).half : panel_kernels(set).whole),
-      dots_(panel_kernels(set).dots),
+      kernels_(panel_kernels(set)),
+      products_(storage == Storage::half ? kernels_.half : kernels_.whole),
       scale_(dissection_.places()) {
     lay_out();
+    tie_groups();
     pack(factor);
 }
 
 void Panels::lay_out() {
-    const std::size_t lines_per_tile = lanes * lanes * (storage_ == Storage::half ? 2 : 4) / sizeof(Line);
+    static_assert(sizeof(Line) == lanes * sizeof(float), "a line is a column of a tile in single precision");
+    const std::size_t lines_per_tile = storage_ == Storage::half ? lanes / 2 : lanes;
     std::size_t lines = 0;
-    int nodes = 0, scratch = 0;
+    int loads = 0, nodes = 0, scratch = 0;
     for (int g = 0; g < static_cast<int>(dissection_.groups.size()); ++g) {
         const Group& group = dissection_.groups[g];
-        if (group.stage == static_cast<int>(stages_.size())) stages_.push_back({g, 0});
-        ++stages_.back()[1];
-        Room room{nodes, group.size, group.outside, scratch, 0, 0, 0};
-        const int* outside = dissection_.outside.data() + group.outside_begin;
+        rooms_.push_back({nodes, group.size, group.outside, scratch, 0, 0, 0});
         int most = 0;
         for (int s = group.begin; s < group.end; ++s) {
             const Supernode& supernode = dissection_.supernodes[s];
-            const int own = tiles(supernode.size), rows = tiles(supernode.rows);
-            parts_.push_back({lines, lines + own * (own + 1) / 2 * lines_per_tile, own, rows,
-                              nodes + supernode.first - group.first, static_cast<int>(slots_.size())});
-            lines += (own * (own + 1) / 2 + own * rows) * lines_per_tile;
-            most = std::max(most, 2 * own + rows);
-            for (int i = supernode.rows_begin; i < supernode.rows_begin + supernode.rows; ++i) {
-                const int place = dissection_.rows[i], beyond = place - group.first - group.size;
-                const int at =
-                    beyond < 0
-                        ? place - group.first
-                        : group.size + static_cast<int>(std::lower_bound(outside, outside + group.outside, place) - outside);
-                slots_.push_back(nodes + at);
-            }
+            const int own = tiles(supernode.size), rows = tiles(supernode.rows), inverse = own * (own + 1) / 2;
+            parts_.push_back({lines, lines + inverse * lines_per_tile, own, rows, loads, nodes + supernode.first - group.first,
+                              static_cast<int>(slots_.size())});
+            for (int i = 0; i < supernode.rows; ++i) slots_.push_back(slot(g, dissection_.rows[supernode.rows_begin + i]));
+            lines += (inverse + own * rows) * lines_per_tile;
+            loads += own;
+            most = std::max(most, own + rows + 1);    // expand() reads beyond the last
         }
-        rooms_.push_back(room);
         nodes += group.size + group.outside;
         scratch += most;
     }
-    for (int g = 0; g < static_cast<int>(dissection_.groups.size()); ++g) {
+    blocks_.resize(lines);
+    loads_.resize(loads);
+    nodes_.resize(nodes);
+    scratch_.resize(scratch);
+}
+
+void Panels::tie_groups() {
+    for (int g = 0; g < static_cast<int>(rooms_.size()); ++g) {
         const Group& group = dissection_.groups[g];
-        rooms_[g].slots = static_cast<int>(outside_slots_.size());
-        for (int i = group.outside_begin; i < group.outside_begin + group.outside; ++i) {
-            const int place = dissection_.outside[i];
-            const Group& parent = dissection_.groups[group.parent];
-            const int* outside = dissection_.outside.data() + parent.outside_begin;
-            const int at =
-                place < parent.first + parent.size
-                    ? place - parent.first
-                    : parent.size + static_cast<int>(std::lower_bound(outside, outside + parent.outside, place) - outside);
-            outside_slots_.push_back(rooms_[group.parent].begin + at);
+        if (group.stage == static_cast<int>(stages_.size())) stages_.push_back({g, 0});
+        ++stages_.back()[1];
+        Room& room = rooms_[g];
+        room.slots = static_cast<int>(outside_slots_.size());
+        for (int i = 0; i < group.outside; ++i) {
+            outside_slots_.push_back(slot(group.parent, dissection_.outside[group.outside_begin + i]));
         }
-        rooms_[g].children_begin = static_cast<int>(children_.size());
+        room.begin = static_cast<int>(children_.size());
         for (int child = 0; child < g; ++child) {
             if (dissection_.groups[child].parent == g) children_.push_back(child);
         }
-        rooms_[g].children = static_cast<int>(children_.size()) - rooms_[g].children_begin;
+        room.children = static_cast<int>(children_.size()) - room.begin;
     }
-    blocks_.resize(lines);
-    swept_.resize(nodes);
-    moved_.resize(nodes);
-    scratch_.resize(scratch);    // a column of a tile in single precision is a line
-    static_assert(sizeof(Line) == lanes * sizeof(float));
+}
+
+// Where a group has this place in nodes_.
+int Panels::slot(int g, int place) const {
+    const Group& group = dissection_.groups[g];
+    if (place < group.first + group.size) return rooms_[g].nodes + place - group.first;
+    const int* const outside = dissection_.outside.data() + group.outside_begin;
+    const int* const found = std::lower_bound(outside, outside + group.outside, place);
+    return rooms_[g].nodes + group.size + static_cast<int>(found - outside);
 }
 
 void Panels::pack(const Factor& factor) {
@@ -165,15 +152,15 @@ void Panels::pack(const Factor& factor) {
             scale.segment<3>(3 * (supernode.first + i)).setConstant(c);
         }
     }
-    MatrixX inverse, below;
     for (int s = 0; s < count; ++s) {
         const Supernode& supernode = dissection_.supernodes[s];
         const VectorX own = scale.segment(3 * supernode.first, 3 * supernode.size).cwiseInverse();
         VectorX rows(3 * supernode.rows);
-        for (int i = 0; i < supernode.rows; ++i)
+        for (int i = 0; i < supernode.rows; ++i) {
             rows.segment<3>(3 * i) = scale.segment<3>(3 * dissection_.rows[supernode.rows_begin + i]);
-        inverse = own.asDiagonal() * factor.inverse(s) * own.asDiagonal();
-        below = rows.asDiagonal() * factor.below(s) * own.asDiagonal();
+        }
+        const MatrixX inverse = own.asDiagonal() * factor.inverse(s) * own.asDiagonal();
+        const MatrixX below = rows.asDiagonal() * factor.below(s) * own.asDiagonal();
         const Part& part = parts_[s];
         void* const to_inverse = blocks_.data() + part.inverse;
         void* const to_below = blocks_.data() + part.below;
@@ -187,59 +174,58 @@ void Panels::pack(const Factor& factor) {
 
 void Panels::forward(const Float4* rhs, Workers& workers) {
     for (const auto& [first, count] : stages_) {
-        workers.each(count, [&, g = first](int task) { sweep(dissection_.groups[g + task], rooms_[g + task], rhs); });
+        workers.each(count, [this, rhs, begin = first](int task) { sweep(begin + task, rhs); });
     }
 }
 
 void Panels::backward(Float4* x, Workers& workers) {
     for (auto stage = stages_.rbegin(); stage != stages_.rend(); ++stage) {
-        const int first = (*stage)[0];
-        workers.each((*stage)[1], [&](int task) { substitute(dissection_.groups[first + task], rooms_[first + task], x); });
+        workers.each((*stage)[1], [this, x, begin = (*stage)[0]](int task) { substitute(begin + task, x); });
     }
 }
 
-void Panels::sweep(const Group& group, const Room& room, const Float4* rhs) {
-    Float4* const local = swept_.data() + room.begin;
-    for (int i = 0; i < room.size; ++i) local[i] = scaled(scale_[group.first + i], rhs[group.first + i]);
-    std::fill_n(local + room.size, room.outside, Float4{});
-    for (int i = room.children_begin; i < room.children_begin + room.children; ++i) {
+void Panels::sweep(int g, const Float4* rhs) {
+    const Group& group = dissection_.groups[g];
+    const Room& room = rooms_[g];
+    for (int i = 0; i < room.size; ++i) nodes_[room.nodes + i] = scaled(scale_[group.first + i], rhs[group.first + i]);
+    std::fill_n(nodes_.begin() + room.nodes + room.size, room.outside, Float4{});
+    for (int i = room.begin; i < room.begin + room.children; ++i) {
         const Room& child = rooms_[children_[i]];
-        add(swept_.data() + child.begin + child.size, swept_.data(), outside_slots_.data() + child.slots, child.outside);
+        const Float4* const from = &nodes_[child.nodes + child.size];
+        for (int k = 0; k < child.outside; ++k) quad(nodes_[outside_slots_[child.slots + k]]) += quad(from[k]);
     }
+    float* const rows = reinterpret_cast<float*>(scratch_.data() + room.scratch);
     for (int s = group.begin; s < group.end; ++s) {
         const Supernode& supernode = dissection_.supernodes[s];
         const Part& part = parts_[s];
-        float* const own = reinterpret_cast<float*>(scratch_.data() + room.scratch);
-        float* const rows = own + part.own_tiles * lanes;
-        compact(swept_.data() + part.own, supernode.size, own);
-        std::fill(own + 3 * supernode.size, rows, 0.0F);
+        compact(
+            &nodes_[part.nodes], supernode.size, [](int i) { return i; }, loads(part));
         std::fill_n(rows, part.row_tiles * lanes, 0.0F);
-        products_.general(blocks_.data() + part.below, part.row_tiles, part.own_tiles, 0, part.row_tiles, own, rows);
-        subtract(rows, swept_.data(), slots_.data() + part.slots, supernode.rows);
+        products_.general(blocks_.data() + part.below, part.row_tiles, part.own_tiles, loads(part), rows);
+        const int* const slots = slots_.data() + part.slots;
+        for (int i = 0; i < supernode.rows; ++i) quad(nodes_[slots[i]]) -= expand(rows + 3 * i);
     }
 }
 
-void Panels::substitute(const Group& group, const Room& room, Float4* x) {
-    Float4* const local = moved_.data() + room.begin;
-    for (int i = 0; i < room.outside; ++i) local[room.size + i] = moved_[outside_slots_[room.slots + i]];
+void Panels::substitute(int g, Float4* x) {
+    const Group& group = dissection_.groups[g];
+    const Room& room = rooms_[g];
+    for (int i = 0; i < room.outside; ++i) nodes_[room.nodes + room.size + i] = nodes_[outside_slots_[room.slots + i]];
     for (int s = group.end - 1; s >= group.begin; --s) {
         const Supernode& supernode = dissection_.supernodes[s];
         const Part& part = parts_[s];
-        float* const own = reinterpret_cast<float*>(scratch_.data() + room.scratch);
-        float* const moved = own + part.own_tiles * lanes;
-        float* const rows = moved + part.own_tiles * lanes;
-        compact(swept_.data() + part.own, supernode.size, own);
-        std::fill(own + 3 * supernode.size, moved, 0.0F);
-        std::fill(moved, rows, 0.0F);
-        compact(moved_.data(), slots_.data() + part.slots, supernode.rows, rows);
-        std::fill(rows + 3 * supernode.rows, rows + part.row_tiles * lanes, 0.0F);
-        products_.symmetric(blocks_.data() + part.inverse, part.own_tiles, own, moved);
-        products_.transposed(blocks_.data() + part.below, part.row_tiles, part.own_tiles, rows, moved);
-        for (int i = 0; i < supernode.size; ++i) {
-            moved_[part.own + i] = {moved[3 * i], moved[3 * i + 1], moved[3 * i + 2], 0.0F};
-        }
+        float* const rows = reinterpret_cast<float*>(scratch_.data() + room.scratch);
+        float* const own = rows + part.row_tiles * lanes;
+        const int* const slots = slots_.data() + part.slots;
+        compact(
+            nodes_.data(), supernode.rows, [slots](int i) { return slots[i]; }, rows);
+        std::fill(rows + 3 * supernode.rows, own, 0.0F);
+        std::fill_n(own, part.own_tiles * lanes, 0.0F);
+        products_.symmetric(blocks_.data() + part.inverse, part.own_tiles, loads(part), own);
+        products_.transposed(blocks_.data() + part.below, part.row_tiles, part.own_tiles, rows, own);
+        for (int i = 0; i < supernode.size; ++i) quad(nodes_[part.nodes + i]) = expand(own + 3 * i);
     }
-    for (int i = 0; i < room.size; ++i) x[group.first + i] = scaled(scale_[group.first + i], local[i]);
+    for (int i = 0; i < room.size; ++i) x[group.first + i] = scaled(scale_[group.first + i], nodes_[room.nodes + i]);
 }
 
 }    // namespace stylet::corotational_fem

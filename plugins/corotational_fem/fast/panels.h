@@ -62,36 +62,39 @@ private:
     struct Part {
         std::size_t inverse, below;    // [lines] in blocks_
         int own_tiles, row_tiles;
-        int own;      // in swept_ and moved_
-        int slots;    // in slots_: where each of its rows lies in swept_ and moved_
+        int load;     // [lines] in loads_
+        int nodes;    // where its own nodes begin in nodes_
+        int slots;    // in slots_, which says where each of its rows is in nodes_
     };
 
-    // A group has its own nodes and those outside to itself in swept_ and moved_.
+    // A group's own nodes in nodes_, and behind them its own copy of those outside.
     struct Room {
-        int begin, size, outside;
-        int scratch;                     // [tiles' columns] in scratch_
-        int slots;                       // in outside_slots_: where its parent has each of those outside
-        int children_begin, children;    // in children_: groups
+        int nodes, size, outside;
+        int scratch;            // [lines] in scratch_
+        int slots;              // in outside_slots_, which says where its parent has those outside
+        int begin, children;    // in children_: groups
     };
 
     void lay_out();
+    void tie_groups();
+    [[nodiscard]] int slot(int group, int place) const;
     void pack(const Factor& factor);
-    void sweep(const Group& group, const Room& room, const Float4* rhs);
-    void substitute(const Group& group, const Room& room, Float4* x);
+    void sweep(int group, const Float4* rhs);
+    void substitute(int group, Float4* x);
+    [[nodiscard]] float* loads(const Part& part) { return reinterpret_cast<float*>(loads_.data() + part.load); }
 
     const Dissection& dissection_;
     Storage storage_;
-    PanelProducts products_;
-    decltype(PanelKernels::dots) dots_;
+    const PanelKernels& kernels_;
+    const PanelProducts& products_;
     std::vector<Line> blocks_;
-    std::vector<float> scale_;    // of each place: C
+    std::vector<float> scale_;    // C of each place
     std::vector<Part> parts_;     // of each supernode
     std::vector<Room> rooms_;     // of each group
     std::vector<int> slots_, outside_slots_, children_;
     std::vector<std::array<int, 2>> stages_;    // first group and number of groups
-    std::vector<Float4>
-        swept_;    // the right-hand side, forward-swept: of own nodes r, of those outside what is taken from theirs
-    std::vector<Float4> moved_;    // the solution, scaled
+    std::vector<Line> loads_;                   // the right-hand side, scaled and forward-swept, of each supernode
+    std::vector<Float4> nodes_;    // scaled: on the way forward what is left of the loads, on the way back the solution
     std::vector<Line> scratch_;
 };
 

@@ -48,6 +48,13 @@ STYLET_INLINE Native join_all(const Native* sums) {
     }
 }
 
+STYLET_INLINE float sum(Native v) {
+    float total = 0.0F;
+#pragma GCC unroll 16
+    for (int lane = 0; lane < native_lanes; ++lane) total += v[lane];
+    return total;
+}
+
 // u += T b
 template <class Stored>
 STYLET_INLINE void add_tile(const Stored* t, const float* b, float* u) {
@@ -86,10 +93,10 @@ STYLET_INLINE Native sideways(const Stored* t, int rows, int first, const float*
 }
 
 template <class Stored>
-void general(const void* stored, int rows, int columns, int first, int last, const float* b, float* u) {
+void general(const void* stored, int rows, int columns, const float* b, float* u) {
+    const Stored* t = static_cast<const Stored*>(stored);
     for (int c = 0; c < columns; ++c) {
-        const Stored* t = static_cast<const Stored*>(stored) + (c * rows + first) * tile;
-        for (int r = first; r < last; ++r, t += tile) add_tile(t, b + c * lanes, u + r * lanes);
+        for (int r = 0; r < rows; ++r, t += tile) add_tile(t, b + c * lanes, u + r * lanes);
     }
 }
 
@@ -113,6 +120,61 @@ void symmetric(const void* stored, int tiles, const float* b, float* y) {
     }
 }
 
+// uₖ += T bₖ for three columns, `from` and `to` apart.
+template <class Stored>
+STYLET_INLINE void add_tile_to_three(const Stored* t, const float* b, int from, float* u, int to) {
+#pragma GCC unroll 4
+    for (int p = 0; p < lanes; p += native_lanes) {
+        Native sums[3];
+        for (int k = 0; k < 3; ++k) sums[k] = load(u + k * to + p);
+#pragma GCC unroll 16
+        for (int j = 0; j < lanes; ++j) {
+            const Native v = load(t + j * lanes + p);
+            for (int k = 0; k < 3; ++k) sums[k] += v * b[k * from + j];
+        }
+        for (int k = 0; k < 3; ++k) store(u + k * to + p, sums[k]);
+    }
+}
+
+// yₖ += Tᵀ bₖ, likewise, of the tiles below each other; four columns of a tile at a time.
+template <class Stored>
+STYLET_INLINE void add_sideways_to_three(const Stored* t, int rows, const float* b, float* y, int apart) {
+    for (int j = 0; j < lanes; j += 4, t += 4 * lanes) {
+        Native sums[3][4] = {};
+        for (int r = 0; r < rows; ++r) {
+            for (int p = 0; p < lanes; p += native_lanes) {
+#pragma GCC unroll 4
+                for (int i = 0; i < 4; ++i) {
+                    const Native v = load(t + r * tile + i * lanes + p);
+                    for (int k = 0; k < 3; ++k) sums[k][i] += v * load(b + k * apart + r * lanes + p);
+                }
+            }
+        }
+        for (int k = 0; k < 3; ++k) {
+            for (int i = 0; i < 4; ++i) y[k * apart + j + i] += sum(sums[k][i]);
+        }
+    }
+}
+
+template <class Stored>
+void general_of_three(const void* stored, int rows, int columns, const float* b, float* u) {
+    const Stored* t = static_cast<const Stored*>(stored);
+    for (int c = 0; c < columns; ++c) {
+        for (int r = 0; r < rows; ++r, t += tile) add_tile_to_three(t, b + c * lanes, columns * lanes, u + r * lanes, rows * lanes);
+    }
+}
+
+template <class Stored>
+void symmetric_of_three(const void* stored, int tiles, const float* b, float* y) {
+    const Stored* t = static_cast<const Stored*>(stored);
+    const int apart = tiles * lanes;
+    for (int c = 0; c < tiles; ++c) {
+        const Stored* below = t + tile;
+        for (int r = c; r < tiles; ++r, t += tile) add_tile_to_three(t, b + c * lanes, apart, y + r * lanes, apart);
+        add_sideways_to_three(below, tiles - c - 1, b + (c + 1) * lanes, y + c * lanes, apart);
+    }
+}
+
 void dots(const float* a, const float* b, int length, float* products) {
     Native sums[9] = {};
     for (int at = 0; at < length; at += native_lanes) {
@@ -123,20 +185,36 @@ void dots(const float* a, const float* b, int length, float* products) {
             for (int j = 0; j < 3; ++j) sums[3 * i + j] += v * load(b + j * length + at);
         }
     }
-    for (int i = 0; i < 9; ++i) {
-        for (int lane = 0; lane < native_lanes; ++lane) products[i] += sums[i][lane];
+    for (int i = 0; i < 9; ++i) products[i] += sum(sums[i]);
+}
+
+void dots_with_one(const float* a, const float* b, int length, float* products) {
+    Native sums[3] = {};
+    for (int at = 0; at < length; at += native_lanes) {
+        const Native v = load(b + at);
+        for (int i = 0; i < 3; ++i) sums[i] += v * load(a + i * length + at);
+    }
+    for (int i = 0; i < 3; ++i) products[i] += sum(sums[i]);
+}
+
+void add(const float* a, const float* f, int length, float* b) {
+    for (int at = 0; at < length; at += native_lanes) {
+        Native v = load(b + at);
+        for (int i = 0; i < 3; ++i) v += f[i] * load(a + i * length + at);
+        store(b + at, v);
     }
 }
 
 template <class Stored>
-constexpr PanelProducts products{symmetric<Stored>, general<Stored>, transposed<Stored>};
+constexpr PanelProducts products{symmetric<Stored>, general<Stored>, transposed<Stored>, symmetric_of_three<Stored>,
+                                 general_of_three<Stored>};
 
 #undef STYLET_INLINE
 
 }    // namespace
 
 #if defined(__F16C__)
-extern const PanelKernels panel_kernels{products<float>, products<std::uint16_t>, dots};
+extern const PanelKernels panel_kernels{products<float>, products<std::uint16_t>, dots, dots_with_one, add};
 #else
-extern const PanelKernels panel_kernels{products<float>, {}, dots};
+extern const PanelKernels panel_kernels{products<float>, {}, dots, dots_with_one, add};
 #endif

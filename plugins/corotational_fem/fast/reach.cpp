@@ -8,7 +8,7 @@ Reach::Reach(Panels& panels) : panels_(panels), path_(panels.parts_.size()), sto
     std::size_t lines = 0, rows = 0;
     for (const Panels::Part& part : panels.parts_) {
         lines += 3 * part.own_tiles;
-        rows = std::max(rows, static_cast<std::size_t>(part.row_tiles));
+        rows = std::max(rows, static_cast<std::size_t>(3 * part.row_tiles));
     }
     loads_.resize(lines);
     answers_.resize(lines);
@@ -62,17 +62,17 @@ void Reach::climb(const Stop& stop) {
     const Panels::Part& part = panels_.parts_[stop.supernode];
     float* const rows = reinterpret_cast<float*>(rows_.data());
     std::fill_n(answers(stop.at), 3 * stop.lines * lanes, 0.0F);
-    for (int axis = 0; axis < 3; ++axis) {
-        const float* const own = loads(stop.at + axis * stop.lines);
-        panels_.products_.symmetric(&panels_.blocks_[part.inverse], part.own_tiles, own, answers(stop.at + axis * stop.lines));
-        std::fill_n(rows, part.row_tiles * lanes, 0.0F);
-        panels_.products_.general(panels_.blocks_.data() + part.below, part.row_tiles, part.own_tiles, 0, part.row_tiles, own,
-                                  rows);
-        for (int i = 0; i < supernode.rows; ++i) {
-            const int place = d.rows[supernode.rows_begin + i];
-            const Stop& above = path_[stop_[d.supernode[place]]];
-            float* const to = loads(above.at + axis * above.lines) + 3 * (place - d.supernodes[above.supernode].first);
-            for (int k = 0; k < 3; ++k) to[k] -= rows[3 * i + k];
+    std::fill_n(rows, 3 * part.row_tiles * lanes, 0.0F);
+    const PanelProducts& products = panels_.products_;
+    products.symmetric_of_three(panels_.blocks_.data() + part.inverse, part.own_tiles, loads(stop.at), answers(stop.at));
+    products.general_of_three(panels_.blocks_.data() + part.below, part.row_tiles, part.own_tiles, loads(stop.at), rows);
+    for (int i = 0; i < supernode.rows; ++i) {
+        const int place = d.rows[supernode.rows_begin + i];
+        const Stop& above = path_[stop_[d.supernode[place]]];
+        float* const to = loads(above.at) + 3 * (place - d.supernodes[above.supernode].first);
+        for (int axis = 0; axis < 3; ++axis) {
+            const float* const from = rows + axis * part.row_tiles * lanes + 3 * i;
+            for (int k = 0; k < 3; ++k) to[axis * above.lines * lanes + k] -= from[k];
         }
     }
 }
@@ -83,7 +83,7 @@ Matrix3 Reach::compliance(const Reach& other) const {
         const Stop& stop = path_[i];
         const int theirs = other.stop_[stop.supernode];
         if (theirs < 0) continue;
-        panels_.dots_(loads(stop.at), other.answers(other.path_[theirs].at), stop.lines * lanes, products);
+        panels_.kernels_.dots(loads(stop.at), other.answers(other.path_[theirs].at), stop.lines * lanes, products);
     }
     Matrix3 w;
     for (int i = 0; i < 3; ++i) {
@@ -94,38 +94,20 @@ Matrix3 Reach::compliance(const Reach& other) const {
 }
 
 Vector3 Reach::displacement() const {
-    Vector3 sum = Vector3::Zero();
+    float products[3] = {};
     for (int i = 0; i < stops_; ++i) {
         const Stop& stop = path_[i];
-        const Float4* const swept = panels_.swept_.data() + panels_.parts_[stop.supernode].own;
-        const float* const answer = answers(stop.at);
-        const int count = panels_.dissection_.supernodes[stop.supernode].size;
-        for (int axis = 0; axis < 3; ++axis) {
-            const float* at = answer + axis * stop.lines * lanes;
-            float part = 0.0F;
-            for (int node = 0; node < count; ++node, at += 3) {
-                part += at[0] * swept[node].x + at[1] * swept[node].y + at[2] * swept[node].z;
-            }
-            sum[axis] += part;
-        }
+        panels_.kernels_.dots_with_one(answers(stop.at), panels_.loads(panels_.parts_[stop.supernode]), stop.lines * lanes,
+                                       products);
     }
-    return sum;
+    return {products[0], products[1], products[2]};
 }
 
 void Reach::push(const Vector3& force) const {
     const float f[3] = {static_cast<float>(force.x()), static_cast<float>(force.y()), static_cast<float>(force.z())};
     for (int i = 0; i < stops_; ++i) {
         const Stop& stop = path_[i];
-        Float4* const swept = panels_.swept_.data() + panels_.parts_[stop.supernode].own;
-        const int count = panels_.dissection_.supernodes[stop.supernode].size;
-        for (int axis = 0; axis < 3; ++axis) {
-            const float* at = loads(stop.at + axis * stop.lines);
-            for (int node = 0; node < count; ++node, at += 3) {
-                swept[node].x += f[axis] * at[0];
-                swept[node].y += f[axis] * at[1];
-                swept[node].z += f[axis] * at[2];
-            }
-        }
+        panels_.kernels_.add(loads(stop.at), f, stop.lines * lanes, panels_.loads(panels_.parts_[stop.supernode]));
     }
 }
 

@@ -51,7 +51,7 @@ private:
 
     Panels& panels_;
     std::vector<Panels::Line> loads_, answers_;    // b_s and S_s⁻¹ b_s of each stop, three columns padded to whole tiles
-    std::vector<Panels::Line> rows_;               // room for one column of M b_s
+    std::vector<Panels::Line> rows_;               // room for three columns of M b_s
     std::vector<Stop> path_;                       // supernodes ascending; of its room the first stops_
     int stops_ = 0;
     std::vector<int> stop_;    // of each supernode, which stop it is; −1: none
