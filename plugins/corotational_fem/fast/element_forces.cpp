@@ -72,13 +72,15 @@ std::vector<int> corner_places(const std::vector<ElementBatch>& batches) {
 }    // namespace
 
 ElementForces::ElementForces(const Mesh& mesh, std::span<const Material> materials, std::span<const int> places,
-                             bool share_pressure, Workers& workers, InstructionSet set)
+                             bool share_pressure, bool damped, Workers& workers, InstructionSet set)
     : kernels_(element_kernels(set)),
       workers_(workers),
       batches_(batches_of(mesh, materials, places, sorted(mesh, places))),
       corner_forces_(batches_.size()),
       gather_(corner_places(batches_), free_nodes(mesh)) {
+    if (damped) start_rotations_.resize(batches_.size());
     if (share_pressure) group(mesh, sorted(mesh, places));
+    if (share_pressure && damped) swellings_.resize(batches_.size());
 }
 
 void ElementForces::group(const Mesh& mesh, std::span<const int> order) {
@@ -101,7 +103,13 @@ void ElementForces::group(const Mesh& mesh, std::span<const int> order) {
 ElementSums ElementForces::strain(const Float4* u, Float4* forces) {
     ElementPass pass;
     pass.u = u;
-    return run(pass, false, forces);
+    return run(pass, {kernels_.measure, patches_.empty() ? kernels_.strain : kernels_.push}, forces);
+}
+
+ElementSums ElementForces::start(const Float4* u, Float4* forces) {
+    ElementPass pass;
+    pass.u = u;
+    return run(pass, {kernels_.measure, patches_.empty() ? kernels_.strain_started : kernels_.push_started}, forces);
 }
 
 ElementSums ElementForces::strain(const Float4* u, const Float4* from, double rate, Float4* forces) {
@@ -109,43 +117,48 @@ ElementSums ElementForces::strain(const Float4* u, const Float4* from, double ra
     pass.u = u;
     pass.from = from;
     pass.rate = static_cast<float>(rate);
-    return run(pass, true, forces);
+    return run(pass, {kernels_.measure_damped, patches_.empty() ? kernels_.strain_damped : kernels_.push_damped}, forces);
 }
 
-ElementSums ElementForces::run(ElementPass pass, bool damped, Float4* forces) {
+ElementSums ElementForces::run(ElementPass pass, const Kernels& kernels, Float4* forces) {
     pass.batches = batches_.data();
     pass.forces = corner_forces_.data();
+    pass.start_rotations = start_rotations_.data();
     pass.rotations = rotations_.data();
     pass.dilatations = dilatations_.data();
-    const int batches = static_cast<int>(batches_.size());
-    const bool shared = !patches_.empty();
-    if (shared) {
-        workers_.each(tasks,
-                      [&](int task) { kernels_.measure(pass, share_start(batches, task), share_start(batches, task + 1)); });
-        average();
+    pass.swellings = swellings_.data();
+    const auto each_share = [&](auto&& work) {
+        const int batches = static_cast<int>(batches_.size());
+        workers_.each(tasks, [&](int task) { work(task, share_start(batches, task), share_start(batches, task + 1)); });
+    };
+    std::array<bool, tasks> inverted{};
+    if (!patches_.empty()) {
+        each_share([&](int task, int first, int last) { inverted[task] = kernels.measure(pass, first, last); });
+        average(dilatations_);
+        if (kernels.measure == kernels_.measure_damped) average(swellings_);
     }
-    const auto strain =
-        shared ? (damped ? kernels_.push_damped : kernels_.push) : (damped ? kernels_.strain_damped : kernels_.strain);
     std::array<ElementSums, tasks> parts;
-    workers_.each(tasks,
-                  [&](int task) { parts[task] = strain(pass, share_start(batches, task), share_start(batches, task + 1)); });
+    each_share([&](int task, int first, int last) { parts[task] = kernels.strain(pass, first, last); });
     gather_.sum(&corner_forces_.data()->of[0][0], forces, workers_);
     ElementSums sums;
+    sums.inverted = std::any_of(inverted.begin(), inverted.end(), [](bool each) { return each; });
     for (const ElementSums& part : parts) {
+        sums.inverted = sums.inverted || part.inverted;
         sums.elastic += part.elastic;
         sums.dissipated += part.dissipated;
     }
     return sums;
 }
 
-void ElementForces::average() {
+// Over each patch.
+void ElementForces::average(std::vector<BatchDilatations>& dilatations) {
     const int patches = static_cast<int>(patches_.size()) - 1;
     workers_.each(tasks, [&](int task) {
         for (int p = share_start(patches, task); p < share_start(patches, task + 1); ++p) {
             const std::span<const Member> patch(&members_[patches_[p]], patches_[p + 1] - patches_[p]);
             float mean = 0.0F;
-            for (const auto& [batch, lane, weight] : patch) mean += weight * dilatations_[batch].theta[lane];
-            for (const auto& [batch, lane, weight] : patch) dilatations_[batch].theta[lane] = mean;
+            for (const auto& [batch, lane, weight] : patch) mean += weight * dilatations[batch].theta[lane];
+            for (const auto& [batch, lane, weight] : patch) dilatations[batch].theta[lane] = mean;
         }
     });
 }

@@ -25,12 +25,15 @@ public:
     /// `places` says of each mesh node its place in the nodal vectors, [0, n) of a free one and n of a fixed one. `workers` must
     /// outlive it.
     ElementForces(const Mesh& mesh, std::span<const Material> materials, std::span<const int> places, bool share_pressure,
-                  Workers& workers, InstructionSet set = best_instruction_set());
+                  bool damped, Workers& workers, InstructionSet set = best_instruction_set());
 
     /// Fills `forces` (n, [N]) for displacements u (n + 1, [m], the last one zero).
     ElementSums strain(const Float4* u, Float4* forces);
 
-    /// The same with the forces of damping on the way from `from` (n + 1, [m]), for `rate` = τ/dt [1].
+    /// The same, and remembers how the tetrahedra stand, for steps that are damped from there on.
+    ElementSums start(const Float4* u, Float4* forces);
+
+    /// The same with the forces of damping on the way from `from` (n + 1, [m]), where the last start was, for `rate` = τ/dt [1].
     ElementSums strain(const Float4* u, const Float4* from, double rate, Float4* forces);
 
 private:
@@ -40,8 +43,12 @@ private:
     };
 
     void group(const Mesh& mesh, std::span<const int> order);
-    ElementSums run(ElementPass pass, bool damped, Float4* forces);
-    void average();
+    struct Kernels {
+        ElementKernels::Measure measure;
+        ElementKernels::Strain strain;
+    };
+    ElementSums run(ElementPass pass, const Kernels& kernels, Float4* forces);
+    void average(std::vector<BatchDilatations>& dilatations);
 
     const ElementKernels& kernels_;
     Workers& workers_;
@@ -49,9 +56,11 @@ private:
     std::vector<CornerForces> corner_forces_;
     Gather gather_;
 
+    std::vector<BatchRotations> start_rotations_;    // where it is damped
+
     // Where pressure is shared.
     std::vector<BatchRotations> rotations_;
-    std::vector<BatchDilatations> dilatations_;
+    std::vector<BatchDilatations> dilatations_, swellings_;
     std::vector<Member> members_;    // of one patch after another
     std::vector<int> patches_;       // the first member of each, and the end
 };

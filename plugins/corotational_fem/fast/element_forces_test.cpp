@@ -82,9 +82,10 @@ public:
 
     Outcome fast(const VectorX& u, InstructionSet set, const VectorX* from = nullptr, double rate = 0.0,
                  Workers& workers = one_thread()) const {
-        ElementForces elements(mesh_, two_materials, places_, share_pressure_, workers, set);
+        ElementForces elements(mesh_, two_materials, places_, share_pressure_, from != nullptr, workers, set);
         std::vector<Float4> forces(mesh_.node_count() - 4);
         Outcome outcome{VectorX::Zero(u.size()), {}};
+        if (from != nullptr) elements.start(nodal(*from).data(), forces.data());
         outcome.sums = from == nullptr ? elements.strain(nodal(u).data(), forces.data())
                                        : elements.strain(nodal(u).data(), nodal(*from).data(), rate, forces.data());
         for (int i = 0; i < mesh_.node_count(); ++i) {
@@ -197,6 +198,17 @@ TEST_P(EachSet, PushesBackWhatIsFlatMirroredOrCollapsed) {
         const Outcome fast = beam.fast(u, GetParam()), again = beam.fast(u, GetParam());
         EXPECT_TRUE(fast.forces.allFinite());
         EXPECT_EQ(fast.forces, again.forces);
+    }
+}
+
+TEST_P(EachSet, TellsWhetherATetrahedronIsInsideOut) {
+    for (const bool shared : {false, true}) {
+        const Deformed beam(shared);
+        EXPECT_FALSE(beam.fast(beam.random(0.1, 1), GetParam()).sums.inverted);
+        EXPECT_FALSE(beam.fast(mapped(beam, Vector3(1, 1, 1e-3).asDiagonal()), GetParam()).sums.inverted);
+        VectorX u = beam.random(0.1, 1);
+        u[3 * 20] -= 2.0 * size;    // the end node x, beyond its neighbours
+        EXPECT_TRUE(beam.fast(u, GetParam()).sums.inverted);
     }
 }
 

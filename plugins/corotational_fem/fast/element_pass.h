@@ -35,29 +35,36 @@ struct alignas(64) BatchDilatations {
 /// Views; what a loop doesn't use may be null.
 struct ElementPass {
     const ElementBatch* batches = nullptr;
-    const Float4* u = nullptr;              // [m] displacement of each place
-    CornerForces* forces = nullptr;         // of each batch
-    const Float4* from = nullptr;           // [m] displacement at the step's start
-    float rate = 0.0F;                      // [1] τ/dt
-    BatchRotations* rotations = nullptr;    // of each batch
-    BatchDilatations* dilatations = nullptr;
+    const Float4* u = nullptr;                    // [m] displacement of each place
+    CornerForces* forces = nullptr;               // of each batch
+    const Float4* from = nullptr;                 // [m] displacement at the step's start
+    float rate = 0.0F;                            // [1] τ/dt
+    BatchRotations* start_rotations = nullptr;    // of each batch, at the step's start
+    BatchRotations* rotations = nullptr;          // of each batch
+    BatchDilatations* dilatations = nullptr;      // θ
+    BatchDilatations* swellings = nullptr;        // its change since the step's start, as the damper sees it
 };
 
 struct ElementSums {
     double elastic = 0.0;       // [J]
     double dissipated = 0.0;    // [J] by damping, on the way from `from`
+    bool inverted = false;      // whether a tetrahedron is turned inside out
 };
 
 /// Each takes the batches [first, last). Whatever the displacements are, what comes out is finite as long as it can be told in
 /// single precision, and the same bits every time.
 struct ElementKernels {
-    ElementSums (*strain)(const ElementPass& pass, int first, int last);           // forces
-    ElementSums (*strain_damped)(const ElementPass& pass, int first, int last);    // forces, with those of damping
+    using Strain = ElementSums (*)(const ElementPass& pass, int first, int last);
+    using Measure = bool (*)(const ElementPass& pass, int first, int last);
 
-    // Where pressure is shared: first rotations and dilatations; then, with dilatations averaged, forces.
-    void (*measure)(const ElementPass& pass, int first, int last);
-    ElementSums (*push)(const ElementPass& pass, int first, int last);
-    ElementSums (*push_damped)(const ElementPass& pass, int first, int last);
+    Strain strain;            // forces
+    Strain strain_started;    // forces; fills start_rotations
+    Strain strain_damped;     // forces, with those of damping
+
+    // Where pressure is shared: first rotations and dilatations, damped with swellings too, and whether a tetrahedron is turned
+    // inside out; then, with both averaged, forces.
+    Measure measure, measure_damped;
+    Strain push, push_started, push_damped;
 };
 
 /// Of a set that this processor supports.

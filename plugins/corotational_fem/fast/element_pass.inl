@@ -24,9 +24,10 @@ STYLET_ALWAYS_INLINE Native product(const Matrix& a, const Matrix& b) {    // a 
     return sum;
 }
 
-STYLET_ALWAYS_INLINE bool any(Native condition_bits_of_sign) {
+// Whether a lane is negative.
+STYLET_ALWAYS_INLINE bool any(Native lanes_below_zero) {
     using Bits = int __attribute__((vector_size(native_lanes * sizeof(int))));
-    const Bits bits = Bits(condition_bits_of_sign);
+    const Bits bits = Bits(lanes_below_zero);
 #if defined(__AVX512F__)
     return _mm512_movepi32_mask(__m512i(bits)) != 0;
 #elif defined(__AVX__)
@@ -99,8 +100,8 @@ void take_care(const Matrix& g, Native careless, Matrix& x) {
     }
 }
 
-// X of F = I + G.
-STYLET_ALWAYS_INLINE Matrix rotation_of(const Matrix& g) {
+// X of F = I + G. Sets `inverted` where an F has a negative determinant.
+STYLET_ALWAYS_INLINE Matrix rotation_of(const Matrix& g, bool& inverted) {
     const Native zero{}, minus = zero - 1.0F;
     const Invariants of = invariants_of(g);
     const Native volume = 1.0F + (of.trace + (of.second + of.determinant));
@@ -108,6 +109,7 @@ STYLET_ALWAYS_INLINE Matrix rotation_of(const Matrix& g) {
         (volume >= least_volume) & (squares(g) <= greatest_gradient) ? zero : minus;    // not a number: careless too
     Matrix x = step(g, of);
     if (any(careless)) {
+        inverted = inverted || any(volume);
         STYLET_EACH(i) STYLET_EACH(j) x.m[i][j] = careless < zero ? zero : x.m[i][j];
     }
     Native unfinished;
@@ -159,45 +161,72 @@ STYLET_ALWAYS_INLINE double total(const NativeDouble& sum) {
     return all;
 }
 
-// P += R σ, σ = τ/dt C : sym(Rᵀ(F − F_from)). Returns σ : the strain's change.
-STYLET_ALWAYS_INLINE Native damp(const ElementPass& pass, const ElementBatch& batch, int lane, const Matrix& g, const Matrix& x,
-                                 Matrix& p) {
-    const Matrix before = gradient_of(pass.from, batch, lane);
-    Matrix change, turned, strain, stress;
+// sym(Rᵀ(F − F_from)), in the frame R that each tetrahedron had at the step's start.
+STYLET_ALWAYS_INLINE Matrix strain_since(const ElementPass& pass, int b, int lane, const Matrix& g, const Matrix& start) {
+    const Matrix before = gradient_of(pass.from, pass.batches[b], lane);
+    Matrix change, turned, strain;
     STYLET_EACH(i) STYLET_EACH(j) change.m[i][j] = g.m[i][j] - before.m[i][j];
     STYLET_EACH(i) STYLET_EACH(j) {
-        turned.m[i][j] = change.m[i][j] + x.m[0][i] * change.m[0][j] + x.m[1][i] * change.m[1][j] + x.m[2][i] * change.m[2][j];
+        const Native by_turn = start.m[0][i] * change.m[0][j] + start.m[1][i] * change.m[1][j] + start.m[2][i] * change.m[2][j];
+        turned.m[i][j] = change.m[i][j] + by_turn;
     }
-    const Native shear = pass.rate * fetch(batch.shear + lane);
-    const Native swelling = pass.rate * fetch(batch.lame + lane) * (turned.m[0][0] + turned.m[1][1] + turned.m[2][2]);
+    STYLET_EACH(i) STYLET_EACH(j) strain.m[i][j] = 0.5F * (turned.m[i][j] + turned.m[j][i]);
+    return strain;
+}
+
+STYLET_ALWAYS_INLINE Native trace(const Matrix& a) {
+    return a.m[0][0] + a.m[1][1] + a.m[2][2];
+}
+
+STYLET_ALWAYS_INLINE Matrix fetch(const BatchRotations& from, int lane) {
+    Matrix x;
+    STYLET_EACH(i) STYLET_EACH(j) x.m[i][j] = fetch(from.differences[i][j] + lane);
+    return x;
+}
+
+STYLET_ALWAYS_INLINE void put(BatchRotations& to, int lane, const Matrix& x) {
+    STYLET_EACH(i) STYLET_EACH(j) put(to.differences[i][j] + lane, x.m[i][j]);
+}
+
+// P += R σ with σ = τ/dt (2μ E + λ θ I). Returns what that dissipates, σ : E.
+template <bool shared>
+STYLET_ALWAYS_INLINE Native damp(const ElementPass& pass, int b, int lane, const Matrix& g, Matrix& p) {
+    const Matrix start = fetch(pass.start_rotations[b], lane), strain = strain_since(pass, b, lane, g, start);
+    const Native theta = shared ? fetch(pass.swellings[b].theta + lane) : trace(strain);
+    const Native shear = pass.rate * fetch(pass.batches[b].shear + lane);
+    const Native pressure = pass.rate * fetch(pass.batches[b].lame + lane) * theta;
+    Matrix stress;
     STYLET_EACH(i) STYLET_EACH(j) {
-        strain.m[i][j] = 0.5F * (turned.m[i][j] + turned.m[j][i]);
         stress.m[i][j] = shear * strain.m[i][j];
-        if (i == j) stress.m[i][j] += swelling;
+        if (i == j) stress.m[i][j] += pressure;
     }
     STYLET_EACH(i) STYLET_EACH(j) {
-        p.m[i][j] += stress.m[i][j] + x.m[i][0] * stress.m[0][j] + x.m[i][1] * stress.m[1][j] + x.m[i][2] * stress.m[2][j];
+        p.m[i][j] +=
+            stress.m[i][j] + start.m[i][0] * stress.m[0][j] + start.m[i][1] * stress.m[1][j] + start.m[i][2] * stress.m[2][j];
     }
-    return product(stress, strain);
+    return shear * squares(strain) + pressure * theta;
 }
 
 // θ = tr(RᵀF) − 3 = (I + X) : D, with D = F − R
 STYLET_ALWAYS_INLINE Native dilatation_of(const Matrix& x, const Matrix& d) {
-    return (d.m[0][0] + d.m[1][1] + d.m[2][2]) + product(x, d);
+    return trace(d) + product(x, d);
 }
 
-template <bool shared, bool damped>
+enum class Damper { none, started, acting };
+
+template <bool shared, Damper damper>
 ElementSums strain(const ElementPass& pass, int first, int last) {
     NativeDouble elastic{}, dissipated{};
+    bool inverted = false;
     for (int b = first; b < last; ++b) {
         const ElementBatch& batch = pass.batches[b];
         for (int lane = 0; lane < lanes; lane += native_lanes) {
             const Matrix g = gradient_of(pass.u, batch, lane);
             Matrix x, d, p;
             if constexpr (shared) {
-                STYLET_EACH(i) STYLET_EACH(j) x.m[i][j] = fetch(pass.rotations[b].differences[i][j] + lane);
+                x = fetch(pass.rotations[b], lane);
             } else {
-                x = rotation_of(g);
+                x = rotation_of(g, inverted);
             }
             STYLET_EACH(i) STYLET_EACH(j) d.m[i][j] = g.m[i][j] - x.m[i][j];
             const Native theta = shared ? fetch(pass.dilatations[b].theta + lane) : dilatation_of(x, d);
@@ -207,32 +236,39 @@ ElementSums strain(const ElementPass& pass, int first, int last) {
                 if (i == j) p.m[i][j] += pressure;
             }
             add(0.5F * (shear * squares(d) + pressure * theta), elastic);
-            if constexpr (damped) add(damp(pass, batch, lane, g, x, p), dissipated);
+            if constexpr (damper == Damper::started) put(pass.start_rotations[b], lane, x);
+            if constexpr (damper == Damper::acting) add(damp<shared>(pass, b, lane, g, p), dissipated);
             store_forces(p, batch, lane, pass.forces[b]);
         }
     }
-    return {total(elastic), total(dissipated)};
+    return {total(elastic), total(dissipated), inverted};
 }
 
-void measure(const ElementPass& pass, int first, int last) {
+template <bool damped>
+bool measure(const ElementPass& pass, int first, int last) {
+    bool inverted = false;
     for (int b = first; b < last; ++b) {
         for (int lane = 0; lane < lanes; lane += native_lanes) {
             const Matrix g = gradient_of(pass.u, pass.batches[b], lane);
-            const Matrix x = rotation_of(g);
+            const Matrix x = rotation_of(g, inverted);
             Matrix d;
-            STYLET_EACH(i) STYLET_EACH(j) {
-                d.m[i][j] = g.m[i][j] - x.m[i][j];
-                put(pass.rotations[b].differences[i][j] + lane, x.m[i][j]);
-            }
+            STYLET_EACH(i) STYLET_EACH(j) d.m[i][j] = g.m[i][j] - x.m[i][j];
+            put(pass.rotations[b], lane, x);
             put(pass.dilatations[b].theta + lane, dilatation_of(x, d));
+            if constexpr (damped) {
+                const Matrix start = fetch(pass.start_rotations[b], lane);
+                put(pass.swellings[b].theta + lane, trace(strain_since(pass, b, lane, g, start)));
+            }
         }
     }
+    return inverted;
 }
 
 }    // namespace
 
-extern const ElementKernels element_kernels{strain<false, false>, strain<false, true>, measure, strain<true, false>,
-                                            strain<true, true>};
+extern const ElementKernels element_kernels{
+    strain<false, Damper::none>, strain<false, Damper::started>, strain<false, Damper::acting>, measure<false>, measure<true>,
+    strain<true, Damper::none>,  strain<true, Damper::started>,  strain<true, Damper::acting>};
 
 #undef STYLET_EACH
 #undef STYLET_ALWAYS_INLINE

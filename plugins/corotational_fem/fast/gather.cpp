@@ -1,18 +1,9 @@
 #include "fast/gather.h"
 
+#include "fast/nodal.h"
 #include "fast/shares.h"
 
 namespace stylet::corotational_fem {
-
-namespace {
-
-using Quad = float __attribute__((vector_size(16)));
-
-inline const Quad& quad(const Float4& v) {
-    return reinterpret_cast<const Quad&>(v);
-}
-
-}    // namespace
 
 Gather::Gather(std::span<const int> places, int nodes) : starts_(nodes + 1, 0), shares_(tasks + 1) {
     for (const int place : places) {

@@ -1,0 +1,210 @@
+#include "fast/quasi_newton.h"
+
+#include <stylet/error.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stylet::corotational_fem {
+
+namespace {
+
+// So that a time step can't take much longer than others; what it leaves undone, the next call does.
+constexpr int most_iterations = 10;
+
+// A quarter of each tetrahedron's mass at each of its nodes [kg].
+std::vector<float> masses(const Mesh& mesh, std::span<const Material> materials, std::span<const int> places, int nodes) {
+    std::vector<double> sums(nodes + 1, 0.0);
+    for (int e = 0; e < mesh.size(); ++e) {
+        const double density = materials[mesh.layers[e]].density;
+        if (!(density > 0.0)) {
+            throw Error("layers", "found a layer without `density`, wanted one: this scene's tissue has weight or inertia");
+        }
+        const Tetrahedron& t = mesh.tetrahedra[e];
+        Matrix3 edges;
+        for (int i = 0; i < 3; ++i) edges.col(i) = mesh.nodes[t[i + 1]] - mesh.nodes[t[0]];
+        for (const int node : t) sums[places[node]] += density * edges.determinant() / 24.0;
+    }
+    return {sums.begin(), sums.end() - 1};
+}
+
+std::vector<float> softnesses(const BlockMatrix& matrix, const Dissection& dissection) {
+    std::vector<float> softnesses(matrix.rows());
+    for (int row = 0; row < matrix.rows(); ++row) {
+        const auto begin = matrix.column.begin() + matrix.start[row], end = matrix.column.begin() + matrix.start[row + 1];
+        const auto at = std::lower_bound(begin, end, row) - matrix.column.begin();
+        softnesses[dissection.place[row]] = static_cast<float>(3.0 / matrix.block[at].trace());
+    }
+    return softnesses;
+}
+
+std::unique_ptr<Panels> factorised(const BlockMatrix& matrix, const Dissection& dissection, Workers& workers,
+                                   InstructionSet set) {
+    Factor factor(dissection);
+    factor.refactor(matrix, workers);
+    return std::make_unique<Panels>(factor, smallest_storage(set), set);
+}
+
+}    // namespace
+
+QuasiNewton::QuasiNewton(const Mesh& mesh, std::span<const Material> materials, const Motion& motion, double accuracy,
+                         Workers& workers, InstructionSet set)
+    : QuasiNewton(mesh, materials, motion, accuracy, workers, set, rest_matrix(mesh, materials, motion)) {}
+
+QuasiNewton::QuasiNewton(const Mesh& mesh, std::span<const Material> materials, const Motion& motion, double accuracy,
+                         Workers& workers, InstructionSet set, const BlockMatrix& matrix)
+    : motion_(motion),
+      accuracy_(accuracy),
+      workers_(workers),
+      dissection_(dissect(matrix)),
+      panels_(factorised(matrix, dissection_, workers, set)),
+      elements_(mesh, materials, dissection_.place_of_node, motion.share_pressure, motion.damping_time > 0.0, workers, set),
+      contacts_(*panels_),
+      pairs_(dissection_.places()),
+      nodes_(dissection_.places()),
+      mass_(nodes_, 0.0F),
+      softness_(softnesses(matrix, dissection_)),
+      node_loads_(nodes_ + 1),
+      x_(nodes_ + 1),
+      start_(nodes_ + 1),
+      outer_(nodes_ + 1),
+      residual_(nodes_),
+      before_(nodes_),
+      q_(nodes_ + 1),
+      resisting_(nodes_),
+      ahead_(nodes_ + 1) {
+    if (motion.implicit || !motion.gravity.isZero(0.0)) mass_ = masses(mesh, materials, dissection_.place_of_node, nodes_);
+    trial_.from.resize(nodes_ + 1);
+    for (NodalVector* each : {&trial_.moved, &trial_.loads}) each->resize(nodes_ + 1);
+    for (NodalVector* each : {&trial_.coasting, &trial_.inner, &origin_.moved, &origin_.resisting}) each->resize(nodes_);
+    trial_.lambda.resize(3 * max_contacts);
+    if (damped()) start_damper();
+    gather_loads();
+    evaluate();
+    open_books();
+    close_books();
+    state_ = trial_;
+}
+
+void QuasiNewton::load(std::span<const NodeForce> forces) {
+    std::fill(node_loads_.begin(), node_loads_.end(), Float4{});
+    for (const auto& [node, force] : forces) {
+        Float4& at = node_loads_[dissection_.place_of_node[node]];
+        at.x += static_cast<float>(force.x());
+        at.y += static_cast<float>(force.y());
+        at.z += static_cast<float>(force.z());
+    }
+}
+
+// Weight, unless the tissue has inertia and its clock stands still, and the loads.
+void QuasiNewton::gather_loads() {
+    const bool weighs = !motion_.implicit || trial_.dt > 0.0;
+    const Vector3 pull = weighs ? motion_.gravity : Vector3(Vector3::Zero());
+    const Quad gravity{static_cast<float>(pull.x()), static_cast<float>(pull.y()), static_cast<float>(pull.z()), 0.0F};
+    bool changed = false;
+    for (int i = 0; i < nodes_; ++i) {
+        Float4 load;
+        quad(load) = quad(node_loads_[i]) + mass_[i] * gravity;
+        Float4& at = trial_.loads[i];
+        changed = changed || load.x != at.x || load.y != at.y || load.z != at.z;
+        at = load;
+    }
+    if (changed) trial_.settled = outer_known_ = false;
+}
+
+void QuasiNewton::place(int contact, std::span<const NodeWeight> footprint) {
+    contacts_.place(contact, footprint);
+    ahead_known_ = false;
+    const auto first = trial_.lambda.begin() + 3 * contact;
+    if (std::any_of(first, first + 3, [](double force) { return force != 0.0; })) trial_.settled = outer_known_ = false;
+}
+
+void QuasiNewton::predict(double dt) {
+    ahead_known_ = false;
+    open_books();
+    if (dt > 0.0) start_step(dt);
+    gather_loads();
+}
+
+// From the trial state on. It is not moved yet: the pairs know where it is going as well as its inertia does.
+void QuasiNewton::start_step(double dt) {
+    const float ahead = trial_.dt > 0.0 ? static_cast<float>(dt / trial_.dt) : 0.0F;
+    for (int i = 0; i < nodes_; ++i) {
+        Place& from = trial_.from[i];
+        Float4& moved = trial_.moved[i];
+        from.x += double{moved.x};
+        from.y += double{moved.y};
+        from.z += double{moved.z};
+        quad(trial_.coasting[i]) = ahead * quad(moved);
+        moved = {};
+    }
+    trial_.dt = dt;
+    trial_.weight_before = trial_.weight;
+    trial_.settled = false;
+    if (damped()) {    // without the last step's damping
+        start_damper();
+        std::copy(resisting_.begin(), resisting_.end(), trial_.inner.begin());
+    }
+    trial_.dissipated = 0.0;
+    std::fill(origin_.moved.begin(), origin_.moved.end(), Float4{});
+    origin_.dissipated = 0.0;
+}
+
+void QuasiNewton::linearise(int contacts, Eigen::Ref<VectorX> free, Eigen::Ref<MatrixX, 0, Eigen::OuterStride<>> compliance) {
+    set_forces({trial_.lambda.data(), static_cast<std::size_t>(3 * contacts)});
+    if (contacts == 0) return;
+    if (!trial_.settled && !ahead_known_) {
+        balance();
+        find_direction();
+    }
+    compliance = contacts_.compliance(contacts);
+    const Eigen::Map<const VectorX> lambda(trial_.lambda.data(), 3 * contacts);
+    free.noalias() = -compliance * lambda;
+    for (int i = 0; i < contacts; ++i) {
+        free.segment<3>(3 * i) += contacts_.mean(i, x_);
+        if (!trial_.settled) free.segment<3>(3 * i) += contacts_.mean(i, ahead_);
+    }
+}
+
+void QuasiNewton::set_forces(std::span<const double> lambda) {
+    const auto acting = trial_.lambda.begin() + 3 * trial_.contacts;
+    const auto rest = std::min(trial_.lambda.begin() + static_cast<std::ptrdiff_t>(lambda.size()), acting);
+    const bool same = std::equal(lambda.begin(), lambda.end(), trial_.lambda.begin()) &&
+                      std::all_of(rest, acting, [](double force) { return force == 0.0; });
+    std::copy(lambda.begin(), lambda.end(), trial_.lambda.begin());
+    std::fill(trial_.lambda.begin() + static_cast<std::ptrdiff_t>(lambda.size()), trial_.lambda.end(), 0.0);
+    trial_.contacts = static_cast<int>(lambda.size()) / 3;
+    if (!same) trial_.settled = ahead_known_ = outer_known_ = false;
+}
+
+StepReport QuasiNewton::try_step(Forces forces) {
+    set_forces({forces.data(), static_cast<std::size_t>(forces.size())});
+    if (trial_.settled) return {};
+    if (!ahead_known_) balance();
+    last_step_ = 0.0;
+    for (int i = 0; i < most_iterations && !trial_.settled; ++i) trial_.settled = iterate();
+    close_books();
+    return {.residual = trial_.settled ? 0.0 : imbalance()};
+}
+
+void QuasiNewton::commit() {
+    state_ = trial_;
+    pairs_.commit();
+}
+
+void QuasiNewton::rollback() {
+    trial_ = state_;
+    pairs_.rollback();
+    ahead_known_ = outer_known_ = false;
+    if (damped()) start_damper();
+    locate();
+}
+
+Vector3 QuasiNewton::displacement(int node) const {
+    const int place = dissection_.place_of_node[node];
+    const Place& from = trial_.from[place];
+    const Float4& moved = trial_.moved[place];
+    return {from.x + double{moved.x}, from.y + double{moved.y}, from.z + double{moved.z}};
+}
+
+}    // namespace stylet::corotational_fem

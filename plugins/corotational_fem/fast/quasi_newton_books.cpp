@@ -1,0 +1,59 @@
+// Where the energy of a step goes.
+#include "fast/quasi_newton.h"
+
+#include <algorithm>
+
+namespace stylet::corotational_fem {
+
+// What holds against forces from outside: inner forces and inertia M (u − ũ)/dt². Before its clock runs, a tissue that has
+// inertia is about to be let go: its first acceleration is gravity's.
+void QuasiNewton::resist(NodalVector& forces) const {
+    const float rate = inertia();
+    const bool waits = motion_.implicit && trial_.dt == 0.0;
+    const Vector3 held = waits ? motion_.gravity : Vector3(Vector3::Zero());
+    const Quad gravity{static_cast<float>(held.x()), static_cast<float>(held.y()), static_cast<float>(held.z()), 0.0F};
+    for (int i = 0; i < nodes_; ++i) {
+        const Quad acceleration = rate * (quad(trial_.moved[i]) - quad(trial_.coasting[i])) + gravity;
+        quad(forces[i]) = quad(trial_.inner[i]) + mass_[i] * acceleration;
+    }
+}
+
+// Before the step moves on: its books begin where the last one's ended.
+void QuasiNewton::open_books() {
+    resist(origin_.resisting);
+    std::copy_n(trial_.moved.begin(), nodes_, origin_.moved.begin());
+    origin_.elastic = trial_.elastic;
+    origin_.kinetic = trial_.kinetic;
+    origin_.dissipated = trial_.dissipated;
+    origin_.damping = state_.damping;
+    origin_.numerical = state_.numerical;
+}
+
+// Forces from outside did work against what resists them, by the trapezoid rule; what of it is neither stored nor damped is the
+// integrator's.
+void QuasiNewton::close_books() {
+    resist(resisting_);
+    const Quad gravity{static_cast<float>(motion_.gravity.x()), static_cast<float>(motion_.gravity.y()),
+                       static_cast<float>(motion_.gravity.z()), 0.0F};
+    const auto [twice_work, twice_kinetic, fallen] = node_sums<3>(nodes_, [&](int i, auto& sums) {
+        const Quad moved = quad(trial_.moved[i]);
+        sums[0] += (quad(origin_.resisting[i]) + quad(resisting_[i])) * (moved - quad(origin_.moved[i]));
+        sums[1] += mass_[i] * moved * moved;
+        sums[2] += mass_[i] * moved * gravity;
+    });
+    trial_.kinetic = motion_.implicit && trial_.dt > 0.0 ? 0.5 * twice_kinetic / (trial_.dt * trial_.dt) : 0.0;
+    trial_.weight = trial_.weight_before - fallen;
+    const double damped = trial_.dissipated - origin_.dissipated;
+    trial_.damping = origin_.damping + damped;
+    trial_.numerical =
+        origin_.numerical + 0.5 * twice_work - damped - (trial_.elastic - origin_.elastic) - (trial_.kinetic - origin_.kinetic);
+}
+
+EnergyReport QuasiNewton::energy() const {
+    return {.stored = trial_.elastic + trial_.weight,
+            .kinetic = trial_.kinetic,
+            .damping = trial_.damping,
+            .numerical = trial_.numerical};
+}
+
+}    // namespace stylet::corotational_fem
