@@ -25,9 +25,10 @@ enum class InstructionSet : std::uint8_t { sse2, avx2, avx512 };    // x86-64; w
 /// diagonal one and those below it; a matrix M of m × n tiles as all of each column of tiles. Vectors are padded with zeros to
 /// whole sixteens, and aligned to 64 bytes as the tiles are; the columns of three follow each other.
 struct PanelProducts {
-    void (*symmetric)(const void* s, int n, const float* b, float* y);                     // y += S b
-    void (*general)(const void* m, int rows, int columns, const float* b, float* u);       // u += M b
-    void (*transposed)(const void* m, int rows, int columns, const float* u, float* b);    // b −= Mᵀ u
+    /// Of the columns of tiles [first, last), and what mirrors them.
+    void (*symmetric)(const void* s, int n, int first, int last, const float* b, float* y);    // y += S b
+    void (*general)(const void* m, int rows, int columns, const float* b, float* u);           // u += M b
+    void (*transposed)(const void* m, int rows, int columns, const float* u, float* b);        // b −= Mᵀ u
     void (*symmetric_of_three)(const void* s, int n, const float* b, float* y);
     void (*general_of_three)(const void* m, int rows, int columns, const float* b, float* u);
 };

@@ -10,6 +10,9 @@ namespace stylet::corotational_fem {
 
 namespace {
 
+// A task of about 10 µs.
+constexpr int share = 512;    // [tiles]
+
 int tiles(int nodes) {
     return (3 * nodes + lanes - 1) / lanes;
 }
@@ -83,6 +86,7 @@ Panels::Panels(const Factor& factor, Storage storage, InstructionSet set)
       scale_(dissection_.places()) {
     lay_out();
     tie_groups();
+    share_out();
     pack(factor);
 }
 
@@ -99,7 +103,7 @@ void Panels::lay_out() {
             const Supernode& supernode = dissection_.supernodes[s];
             const int own = tiles(supernode.size), rows = tiles(supernode.rows), inverse = own * (own + 1) / 2;
             parts_.push_back({lines, lines + inverse * lines_per_tile, own, rows, loads, nodes + supernode.first - group.first,
-                              static_cast<int>(slots_.size())});
+                              static_cast<int>(slots_.size()), 0, 0});
             for (int i = 0; i < supernode.rows; ++i) slots_.push_back(slot(g, dissection_.rows[supernode.rows_begin + i]));
             lines += (inverse + own * rows) * lines_per_tile;
             loads += own;
@@ -130,6 +134,26 @@ void Panels::tie_groups() {
         }
         room.children = static_cast<int>(children_.size()) - room.begin;
     }
+}
+
+// Those products with S⁻¹ that are taken for themselves, all at once, as nothing but the forward half comes before them: of all
+// supernodes whose groups are too few to keep several threads busy.
+void Panels::share_out() {
+    int answers = 0;
+    for (const Group& group : dissection_.groups) {
+        if (group.stage == 0) continue;
+        for (int s = group.begin; s < group.end; ++s) {
+            Part& part = parts_[s];
+            part.begin = static_cast<int>(shares_.size());
+            for (int first = 0, last = 0; first < part.own_tiles; first = last) {
+                for (int count = 0; last < part.own_tiles && count < share; ++last) count += part.own_tiles - last;
+                shares_.push_back({s, first, last, answers});
+                answers += part.own_tiles;
+            }
+            part.shares = static_cast<int>(shares_.size()) - part.begin;
+        }
+    }
+    answers_.resize(answers);
 }
 
 // Where a group has this place in nodes_.
@@ -179,6 +203,7 @@ void Panels::forward(const Float4* rhs, Workers& workers) {
 }
 
 void Panels::backward(Float4* x, Workers& workers) {
+    workers.each(static_cast<int>(shares_.size()), [this](int task) { multiply(shares_[task]); });
     for (auto stage = stages_.rbegin(); stage != stages_.rend(); ++stage) {
         workers.each((*stage)[1], [this, x, begin = (*stage)[0]](int task) { substitute(begin + task, x); });
     }
@@ -207,6 +232,13 @@ void Panels::sweep(int g, const Float4* rhs) {
     }
 }
 
+void Panels::multiply(const Share& s) {
+    const Part& part = parts_[s.supernode];
+    float* const answer = reinterpret_cast<float*>(answers_.data() + s.answer);
+    std::fill_n(answer, part.own_tiles * lanes, 0.0F);
+    products_.symmetric(blocks_.data() + part.inverse, part.own_tiles, s.first, s.last, loads(part), answer);
+}
+
 void Panels::substitute(int g, Float4* x) {
     const Group& group = dissection_.groups[g];
     const Room& room = rooms_[g];
@@ -221,7 +253,13 @@ void Panels::substitute(int g, Float4* x) {
             nodes_.data(), supernode.rows, [slots](int i) { return slots[i]; }, rows);
         std::fill(rows + 3 * supernode.rows, own, 0.0F);
         std::fill_n(own, part.own_tiles * lanes, 0.0F);
-        products_.symmetric(blocks_.data() + part.inverse, part.own_tiles, loads(part), own);
+        if (part.shares == 0) {
+            products_.symmetric(blocks_.data() + part.inverse, part.own_tiles, 0, part.own_tiles, loads(part), own);
+        }
+        for (int i = part.begin; i < part.begin + part.shares; ++i) {
+            const float* const answer = reinterpret_cast<const float*>(answers_.data() + shares_[i].answer);
+            for (int k = 0; k < part.own_tiles * lanes; ++k) own[k] += answer[k];
+        }
         products_.transposed(blocks_.data() + part.below, part.row_tiles, part.own_tiles, rows, own);
         for (int i = 0; i < supernode.size; ++i) quad(nodes_[part.nodes + i]) = expand(own + 3 * i);
     }

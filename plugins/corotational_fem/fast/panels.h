@@ -62,9 +62,16 @@ private:
     struct Part {
         std::size_t inverse, below;    // [lines] in blocks_
         int own_tiles, row_tiles;
-        int load;     // [lines] in loads_
-        int nodes;    // where its own nodes begin in nodes_
-        int slots;    // in slots_, which says where each of its rows is in nodes_
+        int load;             // [lines] in loads_
+        int nodes;            // where its own nodes begin in nodes_
+        int slots;            // in slots_, which says where each of its rows is in nodes_
+        int begin, shares;    // in shares_; none: the product is taken on the way back
+    };
+
+    // Part of the product with one S⁻¹: its columns of tiles [first, last).
+    struct Share {
+        int supernode, first, last;
+        int answer;    // [lines] in answers_: as many as the supernode has
     };
 
     // A group's own nodes in nodes_, and behind them its own copy of those outside.
@@ -77,9 +84,11 @@ private:
 
     void lay_out();
     void tie_groups();
+    void share_out();
     [[nodiscard]] int slot(int group, int place) const;
     void pack(const Factor& factor);
     void sweep(int group, const Float4* rhs);
+    void multiply(const Share& share);
     void substitute(int group, Float4* x);
     [[nodiscard]] float* loads(const Part& part) { return reinterpret_cast<float*>(loads_.data() + part.load); }
 
@@ -94,6 +103,8 @@ private:
     std::vector<int> slots_, outside_slots_, children_;
     std::vector<std::array<int, 2>> stages_;    // first group and number of groups
     std::vector<Line> loads_;                   // the right-hand side, scaled and forward-swept, of each supernode
+    std::vector<Share> shares_;
+    std::vector<Line> answers_;
     std::vector<Float4> nodes_;    // scaled: on the way forward what is left of the loads, on the way back the solution
     std::vector<Line> scratch_;
 };

@@ -109,9 +109,9 @@ void transposed(const void* stored, int rows, int columns, const float* u, float
 }
 
 template <class Stored>
-void symmetric(const void* stored, int tiles, const float* b, float* y) {
-    const Stored* t = static_cast<const Stored*>(stored);
-    for (int c = 0; c < tiles; ++c) {
+void symmetric(const void* stored, int tiles, int first, int last, const float* b, float* y) {
+    const Stored* t = static_cast<const Stored*>(stored) + first * (2 * tiles - first + 1) / 2 * tile;
+    for (int c = first; c < last; ++c) {
         const Stored* below = t + tile;
         for (int r = c; r < tiles; ++r, t += tile) add_tile(t, b + c * lanes, y + r * lanes);
         for (int i = c * lanes; i < (c + 1) * lanes; i += native_lanes) {
