@@ -38,6 +38,7 @@ Newton::Newton(const Mesh& mesh, std::span<const Material> materials, const Moti
       damping_forces_(weight_),
       right_(3 * tangent_.free_nodes()),
       permuted_(right_) {
+    for (Placed& placed : placed_) placed.footprint.reserve(mesh.nodes.size());
     if (motion.implicit || !motion.gravity.isZero(0.0)) {
         mass_ = three_each(solid_.lumped_mass());
         for (const int node : tangent_.nodes()) weight_.segment<3>(3 * node) = mass_[3 * node] * motion.gravity;
@@ -47,12 +48,19 @@ Newton::Newton(const Mesh& mesh, std::span<const Material> materials, const Moti
               .coasting = load_,
               .loads = load_,
               .inner = load_,
+              .about = load_,
               .contact_forces = VectorX::Zero(3 * max_contacts)};
     state_ = origin_ = trial_;
     factor_.analyzePattern(tangent_.matrix());
     evaluate();
-    state_ = origin_ = trial_;
-    factorise();
+    about_ = trial_.u;
+    if (!factorise(step_length(), Twists::exact)) {
+        throw Error("fixed",
+                    "found a mesh that is singular, wanted one that is held: part of it can move without being strained");
+    }
+    factorise(trial_.u, step_length());
+    commit();
+    origin_ = state_;
 }
 
 void Newton::load(std::span<const NodeForce> forces) {
@@ -84,10 +92,19 @@ void Newton::predict(double dt) {
     evaluate();
 }
 
+void Newton::commit() {
+    trial_.about = about_;
+    trial_.factor_step = factor_step_;
+    state_ = trial_;
+}
+
+// Bit for bit: the factor that the state was found with is made again.
 void Newton::rollback() {
     trial_ = state_;
     load_ = state_.loads;
     contacts_ = 0;
+    if (factor_step_ != state_.factor_step || about_ != state_.about) factorise(state_.about, state_.factor_step);
+    stale_ = false;
     evaluate();
     trial_ = state_;
 }
@@ -125,6 +142,7 @@ void Newton::keep_books(const VectorX& damping_forces) {
     const double damped = damping_forces.dot(before_);
     const double work = 0.5 * (origin_.inner + trial_.inner).dot(before_);
     trial_.damping = origin_.damping + damped;
+    if (!motion_.implicit && !(motion_.damping_time > 0.0)) return;    // nothing is integrated
     trial_.numerical =
         origin_.numerical + work - damped - (trial_.elastic - origin_.elastic) - (trial_.kinetic - origin_.kinetic);
 }
@@ -151,21 +169,23 @@ double Newton::imbalance() const {
     return std::isfinite(residual_.sum()) ? greatest : std::numeric_limits<double>::infinity();
 }
 
-// The true tangent where it is definite.
-void Newton::factorise() {
-    if (!factorise(Twists::exact) && !factorise(Twists::definite)) {
-        throw Error("fixed",
-                    "found a mesh that is singular, wanted one that is held: part of it can move without being strained");
+// The true tangent where it is definite; that of the unstrained mesh, which always is, where nothing else can be.
+void Newton::factorise(const VectorX& u, double dt) {
+    about_ = u;
+    if (!factorise(dt, Twists::exact) && !factorise(dt, Twists::definite)) {
+        about_.setZero();
+        (void)factorise(dt, Twists::exact);
     }
-    factor_step_ = step_length();
+    factor_step_ = dt;
     stale_ = false;
     for (Placed& placed : placed_) placed.answered = false;
 }
 
-bool Newton::factorise(Twists twists) {
+// About about_, the damper's frames too: they differ from those of the step's start by next to nothing.
+bool Newton::factorise(double dt, Twists twists) {
     tangent_.clear();
-    const double dt = step_length();
-    solid_.stiffen(trial_.u, 1.0 + motion_.damping_time / dt, twists, tangent_);
+    solid_.stiffen(about_, twists, tangent_);
+    if (motion_.damping_time > 0.0) solid_.stiffen_damper(about_, motion_.damping_time / dt, tangent_);
     if (motion_.implicit) {
         for (const int node : tangent_.nodes()) {
             tangent_.add(node, node, mass_[3 * node] / (dt * dt) * Matrix3::Identity());
@@ -214,7 +234,7 @@ Vector3 Newton::mean(const Placed& placed, const VectorX& u) {
 }
 
 void Newton::linearise(int contacts, Eigen::Ref<VectorX> free, Eigen::Ref<MatrixX, 0, Eigen::OuterStride<>> compliance) {
-    if (stale_ || factor_step_ != step_length()) factorise();
+    if (stale_ || factor_step_ != step_length()) factorise(trial_.u, step_length());
     contacts_ = contacts;
     trial_.contact_forces.tail(3 * (max_contacts - contacts)).setZero();
     for (int i = 0; i < contacts; ++i) {

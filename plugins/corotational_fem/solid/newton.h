@@ -15,12 +15,13 @@ namespace stylet::corotational_fem {
 /// Newton's method on r(u) = w + f + Jᵀλ − ∂Ψ/∂u − M (u − ũ)/dt² = 0, to Coupling's own tolerance: weight w, loads f, forces λ on
 /// footprints J, and ũ = uₙ + dt vₙ where there is inertia (backward Euler).
 ///
-/// A step is u += A⁻¹r with A = (1 + τ/dt) K + M/dt² factorised about some earlier u, and halved until the step's potential
-/// falls, so that it can't diverge. A is factorised anew where a step takes away less than nine tenths of the residual. To
-/// factorise takes from milliseconds to seconds and allocates: this is the model to compare with, not the one to hold in a hand.
+/// A step is u += A⁻¹r with A = K + M/dt² and the damper's τ/dt C, factorised about some earlier u, and halved until the step's
+/// potential falls, so that it can't diverge. A is factorised anew where a step takes away less than nine tenths of the residual.
+/// To factorise takes from milliseconds to seconds and allocates: this is the model to compare with, not the one to hold in a
+/// hand.
 class Newton final : public Solver {
 public:
-    static constexpr double tolerance = 1e-10;    // [N] largest imbalance of a node
+    static constexpr double tolerance = 1e-9;    // [N] largest imbalance of a node: Coupling's own
 
     /// `mesh` and `materials` must outlive it. Throws Error where the mesh is held too little or a density is missing.
     Newton(const Mesh& mesh, std::span<const Material> materials, const Motion& motion);
@@ -30,7 +31,7 @@ public:
     void predict(double dt) override;
     void linearise(int contacts, Eigen::Ref<VectorX> free, Eigen::Ref<MatrixX, 0, Eigen::OuterStride<>> compliance) override;
     StepReport try_step(Forces forces) override;
-    void commit() override { state_ = trial_; }
+    void commit() override;
     void rollback() override;
     EnergyReport energy() const override;
     Vector3 displacement(int node) const override { return trial_.u.segment<3>(3 * node); }
@@ -41,16 +42,18 @@ public:
 
 private:
     struct State {
-        VectorX u;                  // 3n, [m]
-        VectorX start, coasting;    // 3n, [m] uₙ and ũ of the step
-        VectorX loads;              // 3n, [N] f
-        VectorX inner;              // 3n, [N] ∂Ψ/∂u + damping + M a: what the forces from outside are in balance with
-        VectorX contact_forces;     // 3 max_contacts, [N] λ
-        double dt = 0.0;            // [s] of the step, zero before the first
-        double elastic = 0.0;       // [J]
-        double kinetic = 0.0;       // [J]
-        double damping = 0.0;       // [J] since the beginning
-        double numerical = 0.0;     // [J] since the beginning
+        VectorX u;                   // 3n, [m]
+        VectorX start, coasting;     // 3n, [m] uₙ and ũ of the step
+        VectorX loads;               // 3n, [N] f
+        VectorX inner;               // 3n, [N] ∂Ψ/∂u + damping + M a: what the forces from outside are in balance with
+        VectorX about;               // 3n, [m] displacements that the factor is of
+        VectorX contact_forces;      // 3 max_contacts, [N] λ
+        double factor_step = 0.0;    // [s] step that the factor is of
+        double dt = 0.0;             // [s] of the step, zero before the first
+        double elastic = 0.0;        // [J]
+        double kinetic = 0.0;        // [J]
+        double damping = 0.0;        // [J] since the beginning
+        double numerical = 0.0;      // [J] since the beginning
     };
     struct Placed {
         std::vector<NodeWeight> footprint;
@@ -60,8 +63,8 @@ private:
     void evaluate();
     void keep_books(const VectorX& damping_forces);
     void balance();
-    void factorise();
-    bool factorise(Twists twists);
+    void factorise(const VectorX& u, double dt);
+    bool factorise(double dt, Twists twists);
     void solve(const VectorX& forces, VectorX& displacements);
     void answer(int contact);
     void take_forces(const Forces& forces);
@@ -78,6 +81,7 @@ private:
     VectorX weight_;    // 3n, [N]
     VectorX load_;      // 3n, [N] from the next predict on
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::MetisOrdering<int>> factor_;
+    VectorX about_;                // 3n, [m] displacements that it is of
     double factor_step_ = -1.0;    // [s] step_length() of the factor
     bool stale_ = true;            // the factor is of no use any more
     int factorisations_ = 0;

@@ -76,6 +76,7 @@ void Solid::average_dilatations() {
 
 double Solid::strain(const VectorX& u, VectorX& forces) {
     measure(u);
+    inverted_ = std::any_of(polars_.begin(), polars_.end(), [](const Polar& polar) { return polar.stretches[2] < 0.0; });
     double energy = 0.0;
     for (int e = 0; e < mesh_.size(); ++e) {
         const auto& [gradients, volume, shear_modulus, lame] = shapes_[e];
@@ -87,16 +88,21 @@ double Solid::strain(const VectorX& u, VectorX& forces) {
 }
 
 double Solid::damp(const VectorX& u, const VectorX& from, double rate, VectorX& forces) {
-    double lost = 0.0;
+    measure(from);
     const VectorX moved = u - from;
     for (int e = 0; e < mesh_.size(); ++e) {
+        const Matrix3 turned = polars_[e].rotation().transpose() * gradient_of(moved, e);
+        strains_[e] = 0.5 * (turned + turned.transpose());
+        dilatations_[e] = turned.trace();
+    }
+    average_dilatations();
+    double lost = 0.0;
+    for (int e = 0; e < mesh_.size(); ++e) {
         const auto& [gradients, volume, shear_modulus, lame] = shapes_[e];
-        const Matrix3 rotation = Polar(Matrix3::Identity() + gradient_of(u, e)).rotation();
-        const Matrix3 turned = rotation.transpose() * gradient_of(moved, e);
-        const Matrix3 strain = 0.5 * (turned + turned.transpose());
-        const Matrix3 stress = rate * (2.0 * shear_modulus * strain + lame * strain.trace() * Matrix3::Identity());
-        lost += volume * stress.cwiseProduct(strain).sum();
-        push(e, rotation * stress, forces);
+        const double theta = dilatations_[e];
+        lost += rate * volume * (2.0 * shear_modulus * strains_[e].squaredNorm() + lame * theta * theta);
+        const Matrix3 stress = 2.0 * shear_modulus * strains_[e] + lame * theta * Matrix3::Identity();
+        push(e, rate * polars_[e].rotation() * stress, forces);
     }
     return lost;
 }
@@ -109,10 +115,19 @@ void Solid::push(int tetrahedron, const Matrix3& stress, VectorX& forces) const 
     }
 }
 
-void Solid::stiffen(const VectorX& u, double factor, Twists twists, Tangent& tangent) {
+void Solid::stiffen(const VectorX& u, Twists twists, Tangent& tangent) {
     measure(u);
-    for (int e = 0; e < mesh_.size(); ++e) stiffen_own(e, factor, twists, tangent);
-    for (const Patch& patch : patches_) stiffen_shared(patch, factor, tangent);
+    for (int e = 0; e < mesh_.size(); ++e) stiffen_own(e, 1.0, twists, tangent);
+    for (const Patch& patch : patches_) stiffen_shared(patch, 1.0, tangent);
+}
+
+// The tangent of a tetrahedron that is turned and not strained is that of linear elasticity in its frame.
+void Solid::stiffen_damper(const VectorX& from, double rate, Tangent& tangent) {
+    measure(from);
+    for (Polar& polar : polars_) polar.stretches.setOnes();
+    std::fill(dilatations_.begin(), dilatations_.end(), 0.0);
+    for (int e = 0; e < mesh_.size(); ++e) stiffen_own(e, rate, Twists::exact, tangent);
+    for (const Patch& patch : patches_) stiffen_shared(patch, rate, tangent);
 }
 
 // K_ab = V [2μ ∇N_a·∇N_b I + λ (R∇N_a)(R∇N_b)ᵀ + Σ_k (λθ − 2μ) 2/(s_i + s_j) (t_k∇N_a)(t_k∇N_b)ᵀ]
@@ -156,10 +171,6 @@ void Solid::stiffen_shared(const Patch& patch, double factor, Tangent& tangent) 
             tangent.add(patch.nodes[a], patch.nodes[b], bulk * swelling.col(a) * swelling.col(b).transpose());
         }
     }
-}
-
-bool Solid::inverted() const {
-    return std::any_of(polars_.begin(), polars_.end(), [](const Polar& polar) { return polar.stretches[2] < 0.0; });
 }
 
 VectorX Solid::lumped_mass() const {

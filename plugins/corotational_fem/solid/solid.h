@@ -36,15 +36,20 @@ public:
     /// Energy [J] at displacements u [m]; adds its derivative, the internal forces [N], to `forces`.
     double strain(const VectorX& u, VectorX& forces);
 
-    /// Adds the forces of a Kelvin–Voigt damper, τ/dt C:sym(Rᵀ(F − F_from)) in each tetrahedron's frame, for `rate` = τ/dt.
-    /// Returns what they dissipate on the way from `from` [J]; never negative.
+    /// Adds the forces of a Kelvin–Voigt damper, τ/dt C:sym(Rᵀ(F − F_from)) for `rate` = τ/dt, in the frame R that each
+    /// tetrahedron had at `from`: so they are linear in u and half of what they dissipate is their potential, without which a
+    /// step has no function that its iterations bring down. Volume changes are averaged as those of the strain are. Returns what
+    /// they dissipate on the way from `from` [J]; never negative.
     double damp(const VectorX& u, const VectorX& from, double rate, VectorX& forces);
 
-    /// Adds the tangent ∂²Ψ/∂u² at u, times `factor`.
-    void stiffen(const VectorX& u, double factor, Twists twists, Tangent& tangent);
+    /// Adds the tangent ∂²Ψ/∂u² at u.
+    void stiffen(const VectorX& u, Twists twists, Tangent& tangent);
 
-    /// Whether a tetrahedron is turned inside out at the displacements seen last.
-    [[nodiscard]] bool inverted() const;
+    /// Adds the derivative of damp's forces, the same at any u.
+    void stiffen_damper(const VectorX& from, double rate, Tangent& tangent);
+
+    /// Whether a tetrahedron was turned inside out where `strain` was asked last.
+    [[nodiscard]] bool inverted() const { return inverted_; }
 
     /// A quarter of each tetrahedron's mass [kg] at each of its nodes. Throws Error at `layers` where a density is missing.
     [[nodiscard]] VectorX lumped_mass() const;
@@ -72,7 +77,8 @@ private:
     const Mesh& mesh_;
     std::span<const Material> materials_;
     std::vector<Shape> shapes_;
-    std::vector<Patch> patches_;         // none: each tetrahedron has its own pressure
+    std::vector<Patch> patches_;    // none: each tetrahedron has its own pressure
+    bool inverted_ = false;
     std::vector<Polar> polars_;          // of each tetrahedron, of the last displacements seen
     std::vector<Matrix3> strains_;       // F − R of each
     std::vector<double> dilatations_;    // θ of each, averaged over its patch

@@ -117,7 +117,7 @@ public:
     VectorX linear(const VectorX& forces) {
         VectorX u = VectorX::Zero(forces.size());
         tangent_.clear();
-        solid_.stiffen(u, 1.0, Twists::exact, tangent_);
+        solid_.stiffen(u, Twists::exact, tangent_);
         for (const auto& [coordinate, displacement] : held_) u[coordinate] = displacement;
         const VectorX inner = tangent_.matrix().selfadjointView<Eigen::Lower>() * u;
         (void)factorise();
@@ -137,7 +137,7 @@ public:
             if (residual.lpNorm<Eigen::Infinity>() <= tolerance) return u;
             for (const Twists twists : {Twists::exact, Twists::definite}) {
                 tangent_.clear();
-                solid_.stiffen(u, 1.0, twists, tangent_);
+                solid_.stiffen(u, twists, tangent_);
                 if (factorise()) break;
             }
             const VectorX step = ahead(residual);
