@@ -102,6 +102,7 @@ private:
     [[nodiscard]] double shortened(const Step& step) const;
     void learn(const Step& step);
     [[nodiscard]] bool enough(const Step& step);
+    [[nodiscard]] bool enough_elsewhere(double length, bool measured) const;
     void resist(NodalVector& forces) const;
     void open_books();
     void close_books();

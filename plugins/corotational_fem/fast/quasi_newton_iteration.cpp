@@ -14,6 +14,9 @@ namespace {
 constexpr double least_contraction = 0.1;
 constexpr double residual_share = 3.0;
 
+// With another time step than the factor's, iterations leave something of each mode, which adds up from step to step.
+constexpr double strictness = 0.1;
+
 // Single precision: steps below this part of the displacements are its noise.
 constexpr double resolution = 1e-5;
 // Of a pair's step: noise is less than a tenth of what it teaches.
@@ -86,6 +89,11 @@ void QuasiNewton::find_direction() {
     if (trial_.learnt_dt != step_length()) pairs_.forget();
     trial_.learnt_dt = step_length();
     pairs_.begin(residual_.data(), q_.data());
+    if (step_length() < motion_.dt && motion_.implicit) {    // between the modes of stiffness and those of inertia
+        const double ratio = motion_.dt / step_length();
+        const auto scale = static_cast<float>(2.0 / (1.0 + ratio * ratio));
+        for (Float4& q : q_) quad(q) *= scale;
+    }
     panels_->solve(q_.data(), ahead_.data(), workers_);
     pairs_.finish(ahead_.data());
     ahead_known_ = true;
@@ -174,12 +182,21 @@ void QuasiNewton::learn(const Step& step) {
 
 bool QuasiNewton::enough(const Step& step) {
     const double length = step.fraction * std::sqrt(step.squared);
-    if (last_step_ > 0.0) trial_.contraction = length / last_step_;
+    const bool measured = last_step_ > 0.0;
+    if (measured) trial_.contraction = length / last_step_;
     last_step_ = length;
-    if (length <= resolution * size_) return true;
-    const double left =
-        std::min(std::max(trial_.contraction, least_contraction), residual_share * residual_size_ / step.residual);
-    return step.fraction == 1.0 && length * left <= accuracy_ * size_;
+    if (motion_.implicit && step_length() != motion_.dt) return enough_elsewhere(length, measured);
+    const double left = std::min(std::max(trial_.contraction, least_contraction), residual_share * residual_size_ / step.residual);
+    return length <= resolution * size_ || (step.fraction == 1.0 && length * left <= accuracy_ * size_);
+}
+
+// With another time step than the factor's. What is left then is all the steps to come.
+bool QuasiNewton::enough_elsewhere(double length, bool measured) const {
+    const double ratio = motion_.dt / step_length();
+    const double slowest = std::max(0.0, 1.0 - ratio * ratio);
+    const double contraction = std::clamp(measured ? trial_.contraction : std::max(trial_.contraction, slowest), 0.5, 0.999);
+    const double left = contraction / (1.0 - contraction);
+    return length <= strictness * resolution * size_ || length * left <= strictness * accuracy_ * size_;
 }
 
 double QuasiNewton::imbalance() const {
