@@ -198,6 +198,7 @@ bool Newton::factorise(double dt, Twists twists) {
 
 void Newton::solve(const VectorX& forces, VectorX& displacements) {
     for (int i = 0; i < tangent_.free_nodes(); ++i) right_.segment<3>(3 * i) = forces.segment<3>(3 * tangent_.nodes()[i]);
+    displacements.setZero();    // of held nodes: `forces` may be the same vector
     permuted_ = factor_.permutationP() * right_;
     factor_.matrixL().solveInPlace(permuted_);
     permuted_.array() /= factor_.vectorD().array();
