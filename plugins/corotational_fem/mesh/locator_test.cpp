@@ -121,13 +121,36 @@ TEST(Locator, KnowsTheBordersOfLayersToTheLastBit) {
     expect_exact_borders(two_layers(), {0.008});
 }
 
-TEST(Locator, AnUprightBorderBelongsToTheLayerNamedLater) {
-    Mesh mesh = block_mesh(gel(), {4, 4, 4});
-    for (int t = 0; t < mesh.size(); ++t) mesh.layers[t] = t / 6 % 4 < 2 ? 1 : 0;    // x < 0: the later one
-    const Locator locator(mesh);
-    for (const double z : {-0.001, -0.01, -0.013, -0.049}) {
-        EXPECT_EQ(mesh.layers[locator.find(Vector3(0.0, 0.007, z)).tetrahedron], 1);
-        EXPECT_EQ(mesh.layers[locator.find(Vector3(1e-12, 0.007, z)).tetrahedron], 0);
+/// Tetrahedra of these nodes, four each.
+Mesh of_tetrahedra(const std::vector<Vector3>& nodes) {
+    Mesh mesh{.nodes = nodes, .tetrahedra = {}, .layers = {}, .fixed = {}, .patches = {}};
+    for (int t = 0; 4 * t < mesh.node_count(); ++t) {
+        mesh.tetrahedra.push_back({4 * t, 4 * t + 1, 4 * t + 2, 4 * t + 3});
+        mesh.layers.push_back(t);
+    }
+    return mesh;
+}
+
+TEST(Locator, ABorderBelongsToTheLowerCentroid) {
+    Mesh mesh = of_tetrahedra({{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0.1}});
+    mesh.nodes.emplace_back(-1, 0, 0.2);
+    mesh.tetrahedra.push_back({0, 2, 1, 4});
+    for (const int right : {0, 1}) {
+        mesh.layers = {right, 1 - right};
+        EXPECT_EQ(Locator(mesh).find(Vector3(0.0, 0.2, 0.2)).tetrahedron, 0);
+    }
+}
+
+TEST(Locator, ABorderOfTwoAsHighBelongsToTheLayerNamedLater) {
+    Mesh mesh = of_tetrahedra({{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0.1}});
+    mesh.nodes.emplace_back(-1, 0, 0.1 + 1e-16);
+    mesh.tetrahedra.push_back({0, 2, 1, 4});
+    for (const int right : {0, 1}) {
+        mesh.layers = {right, 1 - right};
+        const Locator locator(mesh);
+        EXPECT_EQ(mesh.layers[locator.find(Vector3(0.0, 0.2, 0.2)).tetrahedron], 1);
+        EXPECT_EQ(locator.find(Vector3(1e-12, 0.2, 0.2)).tetrahedron, 0);
+        EXPECT_EQ(locator.find(Vector3(-1e-12, 0.2, 0.2)).tetrahedron, 1);
     }
 }
 
@@ -161,7 +184,7 @@ TEST(Locator, FindsWhereAWayEnters) {
 TEST(Locator, AWayOnlyEntersInwards) {
     const Mesh mesh = block_mesh(gel(), {8, 6, 5});
     const Locator locator(mesh);
-    EXPECT_EQ(locator.entry(Vector3(0.0, 0.0, -0.01), Vector3(0.0, 0.0, -0.02)), -1.0) << "it is inside already";
+    EXPECT_EQ(locator.entry(Vector3(0.0, 0.0, -0.001), Vector3(0.0, 0.0, -0.0015)), -1.0) << "it is inside already";
     EXPECT_EQ(locator.entry(Vector3(0.0, 0.0, -0.01), Vector3(0.0, 0.0, 0.01)), -1.0) << "it leaves";
     EXPECT_EQ(locator.entry(Vector3::Zero(), Vector3(0.0, 0.0, -0.01)), 0.0) << "it begins on the surface";
     EXPECT_EQ(locator.entry(Vector3(0.0, 0.0, 0.01), Vector3::Zero()), 1.0) << "it ends on the surface";
@@ -182,6 +205,19 @@ TEST(Locator, FindsTheFirstOfSeveralSurfaces) {
     EXPECT_NEAR(locator.entry(Vector3(0.02, 0.0, -0.01), Vector3(-0.02, 0.0, -0.01)), 0.5, of_way) << "from the notch";
     EXPECT_NEAR(locator.entry(Vector3(-0.01, 0.0, -0.01), Vector3(0.03, 0.0, -0.03)), 0.5, of_way)
         << "out into the notch, and in again";
+}
+
+TEST(Locator, OfTwoSurfacesInOneBucketTheFirstCounts) {
+    const std::vector<Vector3> upper = {{0, 0, 0.2}, {1, 0, 0.2}, {0, 1, 0.2}, {0, 0, 0.3}};
+    const std::vector<Vector3> lower = {{0, 0, 0.0}, {1, 0, 0.0}, {0, 1, 0.0}, {0, 0, 0.1}};
+    for (const bool upper_first : {true, false}) {
+        std::vector<Vector3> nodes = upper_first ? upper : lower;
+        nodes.insert(nodes.end(), (upper_first ? lower : upper).begin(), (upper_first ? lower : upper).end());
+        const Mesh mesh = of_tetrahedra(nodes);
+        const Locator locator(mesh);
+        EXPECT_NEAR(locator.entry(Vector3(0.2, 0.2, 1.26), Vector3(0.2, 0.2, -0.74)), 0.5, of_way);
+        EXPECT_NEAR(locator.entry(Vector3(0.2, 0.2, -1.0), Vector3(0.2, 0.2, 1.0)), 0.5, of_way);
+    }
 }
 
 /// A way has to meet the surface wherever it goes: at nodes and along edges too.
