@@ -44,7 +44,7 @@ VectorX seen_places(const Rig& rig, const VectorX& forces) {
 }
 
 void contacts_move_as_the_compliance_says(const Descriptor& plugin, const Case& with) {
-    at_both_depths(plugin, with, [](Rig& rig) {
+    at_both_depths(plugin, with, [&with](Rig& rig) {
         ASSERT_TRUE(rig.advance(rig.load));
         const auto answer = [&rig](const VectorX& forces) {
             rig.body->rollback();
@@ -64,7 +64,7 @@ void contacts_move_as_the_compliance_says(const Descriptor& plugin, const Case& 
             const VectorX fine = slope(0.5 * step);
             // Richardson: the fine slope is off by a third of what the two differ, and by what the residuals and rounding leave.
             const double tolerance = (coarse - fine).cwiseAbs().maxCoeff() +
-                                     w.cwiseAbs().maxCoeff() * (difference_rounding + residual / step) +
+                                     w.cwiseAbs().maxCoeff() * (with.tangent + difference_rounding + residual / step) +
                                      8.0 * std::numeric_limits<double>::epsilon() * here.cwiseAbs().maxCoeff() / step;
             EXPECT_LE((fine - w.col(j)).cwiseAbs().maxCoeff(), tolerance) << "force " << j;
         }

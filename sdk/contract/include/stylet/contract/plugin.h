@@ -47,6 +47,7 @@ struct Case {
     double load = 0.5;                            // [N] on the tip, against the insertion; each shaft contact gets a tenth
     double lateral = 0.01;                        // of the load that acts across the needle
     int steps = 64;                               // in which a load is raised where its work is summed
+    double tangent = 0.0;    // of the largest compliance, what a body that iterates with an older tangent may be off by
 };
 
 /// The descriptor that the library in `file` exports. The library stays loaded until the process ends.

@@ -1,0 +1,54 @@
+#include <stylet/contract/contract.h>
+#include <stylet/tissue_model.h>
+
+#include <cstdio>
+#include <limits>
+#include <string>
+
+namespace stylet {
+namespace {
+
+using contract::Case;
+using contract::Given;
+
+Given given(const char* dynamics, const char* pressure) {
+    return {{"cells", Vector3(4.0, 4.0, 3.0)},
+            {"pressure", std::string(pressure)},
+            {"dynamics", std::string(dynamics)},
+            {"solver", std::string("newton")}};
+}
+
+Given damped() {
+    Given parameters = given("implicit", "tetrahedron");
+    parameters.set("damping_time", 0.01);
+    return parameters;
+}
+
+TissueSetup two_layers() {
+    TissueSetup tissue = contract::gel_block();
+    tissue.layers.insert(tissue.layers.begin(), tissue.layers.front());
+    tissue.layers.front().name = "skin";
+    tissue.layers.front().youngs_modulus = 60e3;
+    tissue.layers.front().thickness = 5e-3;
+    tissue.layers.back().thickness -= 5e-3;
+    return tissue;
+}
+
+// Newton's factor may be of an earlier state: under these loads it is off by less.
+constexpr double older_tangent = 1e-2;
+
+// Loads that bend the mesh so far that Newton factorises anew, and so allocates, are left to the tests of the solver itself.
+STYLET_CONTRACT(
+    Case{.name = "AtRest", .parameters = given("quasi_static", "tetrahedron"), .steps = 16, .tangent = older_tangent},
+    Case{.name = "Patches", .parameters = given("quasi_static", "patch"), .steps = 16, .tangent = older_tangent},
+    Case{.name = "TwoLayers",
+         .parameters = given("quasi_static", "patch"),
+         .tissue = two_layers(),
+         .load = 0.1,
+         .steps = 16,
+         .tangent = older_tangent},
+    Case{.name = "Swinging", .parameters = given("implicit", "tetrahedron"), .load = 0.1, .steps = 16, .tangent = older_tangent},
+    Case{.name = "Damped", .parameters = damped(), .load = 0.1, .steps = 16, .tangent = older_tangent})
+
+}    // namespace
+}    // namespace stylet
