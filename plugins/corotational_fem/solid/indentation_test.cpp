@@ -81,6 +81,26 @@ TEST(Indentation, ASquareSinksAsOnAHalfSpaceOrIsSeenToLock) {
     }
 }
 
+// Hard case 8. A ratio of 0.5 and more never comes here: a scene that has one is refused.
+TEST(Indentation, LockingGrowsWithPoissonsRatioUnlessPressureIsShared) {
+    constexpr double unlocked = 0.04;    // by how much the shared pressure's answer may vary with ν, of the exact one
+    double least = 1.0, most = 0.0, before = 1.0;
+    for (const double poisson_ratio : {0.3, 0.45, 0.49, 0.499, 0.4999}) {
+        const double exact = mean_sink_of_square(side, 1.0, youngs_modulus, poisson_ratio);
+        const double own = mean_sink(9, poisson_ratio, false) / exact, shared = mean_sink(9, poisson_ratio, true) / exact;
+        std::printf(
+            "21 mm square, cells of 3.5 mm, nu %.4f: sinks by %5.1f %% of the exact answer with a pressure per tetrahedron, "
+            "%5.1f %% per patch\n",
+            poisson_ratio, 1e2 * own, 1e2 * shared);
+        EXPECT_LT(own, before);
+        before = own;
+        least = std::min(least, shared);
+        most = std::max(most, shared);
+    }
+    EXPECT_LE(most - least, unlocked);
+    EXPECT_GT(least, 1.0 - 2.0 * unlocked);
+}
+
 // How deep the surface lies at r [m], over what Boussinesq says.
 std::vector<double> under_a_point_load(int cells, double poisson_ratio, bool share_pressure, const std::vector<double>& radii) {
     constexpr double size = 0.03;    // [m]
