@@ -87,9 +87,10 @@ Matrix3 NearField::own_block(const Placed& i) const {
 void NearField::fill(int row, int count) {
     for (int other = 0; other < count; ++other) {
         if (other == row) continue;
-        const Matrix3 mutual = block(placed_[row], placed_[other]);
-        compliance_.block<3, 3>(3 * row, 3 * other) = mutual;
-        compliance_.block<3, 3>(3 * other, 3 * row) = mutual.transpose();
+        const int i = std::min(row, other), j = std::max(row, other);    // the same bits whichever of them has moved
+        const Matrix3 mutual = block(placed_[i], placed_[j]);
+        compliance_.block<3, 3>(3 * i, 3 * j) = mutual;
+        compliance_.block<3, 3>(3 * j, 3 * i) = mutual.transpose();
     }
     compliance_.block<3, 3>(3 * row, 3 * row) = own_block(placed_[row]);
     placed_[row].changed = false;

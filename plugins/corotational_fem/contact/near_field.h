@@ -19,11 +19,17 @@ namespace stylet::corotational_fem {
 ///
 /// K is MindlinKernel at the needle's radius, at the tip at least that of a punch on the surface, as in half_space; G the same
 /// half-space under the load that the mesh does resolve, spread over Spread's balls (GaussianLoad, σ = ρ/3). Added to the mesh's
-/// compliance of the same balls this is a needle in a body of the mesh's shape. It is short-ranged but for K's own blur, and
-/// positive where a needle is thin beside the tetrahedra.
+/// own compliance of these balls, that is a needle in a body of the mesh's shape. C is short-ranged but for K's own blur, and
+/// positive by itself.
 ///
-/// Source: ours; K's is half_space's. Deviation: a half-space's answer inside of ρ, so that a mesh's sides, its bottom and its
-/// other layers are felt with a detail of ρ; a layer's modulus as half_space blends it. Validity: small strain about a contact.
+/// Measured on 100 × 100 × 50 mm held at the bottom, cells of 17, 9 and 7 mm, needle of 0.3 mm, up to 30 mm deep, ν 0.45 and
+/// 0.49: with pressure by patch a tip is equally soft within 0.3 %, a needle that its contacts stick to within 1 % downwards and
+/// 2 % sideways; far from all sides it is half_space's within 0.5 %. With pressure by tetrahedron at ν 0.49 the mesh locks: the
+/// three are up to 5 % apart, and up to 10 % too stiff.
+///
+/// Source: ours; K's is half_space's. Deviation: within ρ of a contact the answer is a half-space's, at rest, of a layer's
+/// modulus blended as half_space does: sides, bottom, the other layers and inertia are felt no finer than that. Validity: small
+/// strain.
 class NearField {
 public:
     /// Both must outlive it.

@@ -6,7 +6,7 @@ namespace stylet::corotational_fem {
 namespace {
 
 constexpr double radius_in_edges = 2.0;      // ρ/h: the least that makes a mesh answer alike everywhere
-constexpr double radius_in_needles = 1.5;    // ρ/a at which a ball moves as far as the needle's own kernel says
+constexpr double radius_in_needles = 1.6;    // ρ/a at which a ball moves as far as the needle's own kernel says
 
 double shape(double q2) {    // φ, of q²
     return q2 < 1.0 ? (1.0 - q2) * (1.0 - q2) : 0.0;

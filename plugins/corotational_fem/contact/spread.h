@@ -26,11 +26,11 @@ struct Balls {
 ///     w_n ∝ V_n [φ(|x_n − x|/ρ) + φ(|x_n − x*|/ρ)],   φ(q) = (1 − q²)² for q < 1,   Σ w_n = 1
 ///
 /// V_n is the node's share of volume, and x* the mirror image of x above the undeformed surface z = 0: what of a ball would be
-/// outside there is folded back. ρ is twice the edge of a cube of six tetrahedra, or 1.5 radii of a needle that is thick beside
+/// outside there is folded back. ρ is twice the edge of a cube of six tetrahedra, or 1.6 radii of a needle that is thick beside
 /// that. A piece of shaft is an even row of balls, at Gauss points two by two.
 ///
-/// In a mesh of cubes of edge h the mesh's own self-compliance is then the same within 3 % at nodes, on edges, on faces and in
-/// the middle of tetrahedra (of ρ = 1.5 h it would be 6 %).
+/// In a mesh of cubes of edge h the mesh's own self-compliance is then the same within 4 % at nodes, on edges, on faces and in
+/// the middle of tetrahedra (of ρ = 1.5 h it would be 8 %).
 class Spread {
 public:
     /// `mesh` must outlive it. `needle_radius` [m], zero where there is no needle.
