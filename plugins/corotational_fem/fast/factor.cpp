@@ -43,8 +43,11 @@ void Factor::refactor(const BlockMatrix& matrix, Workers& workers) {
         for (const int s : singular) {
             if (s < 0) continue;
             for (MatrixX& update : updates_) update.resize(0, 0);
-            throw Error("singular: the tissue's stiffness leaves it free to move about node " +
-                        std::to_string(matrix.mesh_node[dissection_.row[dissection_.supernodes[s].first]]));
+            const int node = matrix.mesh_node[dissection_.row[dissection_.supernodes[s].first]];
+            throw Error(
+                "singular: about node " + std::to_string(node) +
+                " found a part of the tissue that nothing holds, or a material that no pressure keeps in shape; wanted fixed "
+                "nodes that keep each connected part from moving and from turning, and materials with μ > 0 and λ > −2μ/3");
         }
     }
 }

@@ -1,5 +1,7 @@
 #include "fast/panels.h"
 
+#include "fast/nodal.h"
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -15,15 +17,6 @@ constexpr int share = 512;    // [tiles]
 
 int tiles(int nodes) {
     return (3 * nodes + lanes - 1) / lanes;
-}
-
-using Quad = float __attribute__((vector_size(16)));
-
-Quad& quad(Float4& node) {
-    return reinterpret_cast<Quad&>(node);
-}
-const Quad& quad(const Float4& node) {
-    return reinterpret_cast<const Quad&>(node);
 }
 
 // The three numbers of each node, one node after the other. The fourth, which may be anything, is written too, and then over.
