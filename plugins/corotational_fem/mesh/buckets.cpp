@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace stylet::corotational_fem {
 namespace {
@@ -37,13 +38,12 @@ Buckets::Buckets(std::span<const Box> items, double margin, const Reaches& reach
             }
         }
     }
-    std::sort(listed.begin(), listed.end());
     begins_.assign(static_cast<std::size_t>(counts_[0]) * counts_[1] * counts_[2] + 1, 0);
-    for (const auto& [bucket, item] : listed) {
-        ++begins_[bucket + 1];
-        items_.push_back(item);
-    }
-    for (std::size_t i = 1; i < begins_.size(); ++i) begins_[i] += begins_[i - 1];
+    for (const auto& [bucket, item] : listed) ++begins_[bucket + 1];
+    std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+    std::vector<std::size_t> next = begins_;
+    items_.resize(listed.size());
+    for (const auto& [bucket, item] : listed) items_[next[bucket]++] = item;
 }
 
 Buckets::Cell Buckets::cell_of(const Vector3& point) const {

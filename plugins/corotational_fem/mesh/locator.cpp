@@ -71,15 +71,15 @@ Locator::Border Locator::border_of(int tetrahedron, int neighbour) const {
 
 Buckets Locator::tetrahedra_by_place() const {
     std::vector<Box> boxes;
+    std::vector<Plane> planes;    // four each
     for (const Tetrahedron& nodes : mesh_->tetrahedra) {
         Box& box = boxes.emplace_back();
         for (const int node : nodes) box.take_in(mesh_->nodes[node]);
+        for (int face = 0; face < 4; ++face) planes.emplace_back(*mesh_, outward_face(nodes, face));
     }
-    return {boxes, tolerance, [this](int tetrahedron, const Box& box) {
-                for (int face = 0; face < 4; ++face) {
-                    if (beyond(Plane(*mesh_, outward_face(mesh_->tetrahedra[tetrahedron], face)), box)) return false;
-                }
-                return true;
+    return {boxes, tolerance, [&planes](int tetrahedron, const Box& box) {
+                const auto first = planes.begin() + 4 * tetrahedron;
+                return std::none_of(first, first + 4, [&box](const Plane& plane) { return beyond(plane, box); });
             }};
 }
 
