@@ -1,5 +1,6 @@
 #include "solid/newton.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -25,6 +26,7 @@ VectorX three_each(const VectorX& of_nodes) {
 Newton::Newton(const Mesh& mesh, std::span<const Material> materials, const Motion& motion)
     : solid_(mesh, materials, motion.share_pressure),
       motion_(motion),
+      accuracy_(std::max(tolerance, solid_.rounding())),
       tangent_(mesh, motion.share_pressure),
       weight_(VectorX::Zero(3 * mesh.node_count())),
       load_(weight_),
@@ -242,7 +244,7 @@ void Newton::linearise(int contacts, Eigen::Ref<VectorX> free, Eigen::Ref<Matrix
         if (!placed_[i].answered) answer(i);
     }
     balance();
-    if (imbalance() > tolerance) {
+    if (imbalance() > accuracy_) {
         solve(residual_, ahead_);
     } else {
         ahead_.setZero();
@@ -262,7 +264,7 @@ void Newton::take_forces(const Forces& forces) {
 StepReport Newton::try_step(Forces forces) {
     take_forces(forces);
     const double before = imbalance();
-    if (before <= tolerance) return {.residual = 0.0};
+    if (before <= accuracy_) return {.residual = 0.0};
     solve(residual_, ahead_);
     const double slope = residual_.dot(ahead_);    // [J] by which the potential falls along the step, to first order
     const double start = potential_ - pressed_.dot(trial_.u);
@@ -279,8 +281,8 @@ StepReport Newton::try_step(Forces forces) {
         evaluate();
     }
     const double after = imbalance();
-    stale_ = after > tolerance && !(after <= worn * before);
-    return {.residual = after <= tolerance ? 0.0 : after};
+    stale_ = after > accuracy_ && !(after <= worn * before);
+    return {.residual = after <= accuracy_ ? 0.0 : after};
 }
 
 EnergyReport Newton::energy() const {

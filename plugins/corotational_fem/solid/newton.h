@@ -12,8 +12,8 @@
 
 namespace stylet::corotational_fem {
 
-/// Newton's method on r(u) = w + f + Jᵀλ − ∂Ψ/∂u − M (u − ũ)/dt² = 0, to Coupling's own tolerance: weight w, loads f, forces λ on
-/// footprints J, and ũ = uₙ + dt vₙ where there is inertia (backward Euler).
+/// Newton's method on r(u) = w + f + Jᵀλ − ∂Ψ/∂u − M (u − ũ)/dt² = 0, to Coupling's own tolerance or what rounding leaves of it:
+/// weight w, loads f, forces λ on footprints J, and ũ = uₙ + dt vₙ where there is inertia (backward Euler).
 ///
 /// A step is u += A⁻¹r with A = K + M/dt² and the damper's τ/dt C, factorised about some earlier u, and halved until the step's
 /// potential falls, so that it can't diverge. A is factorised anew where a step takes away less than nine tenths of the residual.
@@ -76,6 +76,7 @@ private:
 
     Solid solid_;
     Motion motion_;
+    double accuracy_;    // [N] tolerance, or more where a layer is so stiff that rounding leaves more
     Tangent tangent_;
     VectorX mass_;      // 3n, [kg]; empty without weight and inertia
     VectorX weight_;    // 3n, [N]

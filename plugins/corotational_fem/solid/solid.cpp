@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace stylet::corotational_fem {
 
@@ -171,6 +172,15 @@ void Solid::stiffen_shared(const Patch& patch, double factor, Tangent& tangent) 
             tangent.add(patch.nodes[a], patch.nodes[b], bulk * swelling.col(a) * swelling.col(b).transpose());
         }
     }
+}
+
+double Solid::rounding() const {
+    constexpr double units = 64.0;    // in the last place: two or three of a strain, times the 24 tetrahedra around a node
+    double greatest = 0.0;
+    for (const auto& [gradients, volume, shear_modulus, lame] : shapes_) {
+        greatest = std::max(greatest, (2.0 * shear_modulus + lame) * volume * gradients.colwise().norm().maxCoeff());
+    }
+    return units * std::numeric_limits<double>::epsilon() * greatest;
 }
 
 VectorX Solid::lumped_mass() const {

@@ -51,6 +51,9 @@ public:
     /// Whether a tetrahedron was turned inside out where `strain` was asked last.
     [[nodiscard]] bool inverted() const { return inverted_; }
 
+    /// What rounding leaves uncertain of the force on a node [N], for a strain is known to a few units in the last place of one.
+    [[nodiscard]] double rounding() const;
+
     /// A quarter of each tetrahedron's mass [kg] at each of its nodes. Throws Error at `layers` where a density is missing.
     [[nodiscard]] VectorX lumped_mass() const;
 
