@@ -2,8 +2,6 @@
 
 #include <stylet/error.h>
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 
 namespace stylet::corotational_fem {
@@ -16,8 +14,9 @@ constexpr double rounding = 1e-13;
 
 }    // namespace
 
-Factor::Factor(const Dissection& dissection)
+Factor::Factor(const Dissection& dissection, InstructionSet set)
     : dissection_(dissection),
+      kernel_(dense_kernel(set)),
       children_(dissection.supernodes.size()),
       blocks_(dissection.supernodes.size()),
       updates_(dissection.supernodes.size()) {
@@ -26,80 +25,87 @@ Factor::Factor(const Dissection& dissection)
     }
 }
 
+// Threads share the groups of the first stage, and after that, where there are few and large ones, each front.
 void Factor::refactor(const BlockMatrix& matrix, Workers& workers) {
-    std::vector<int> singular(dissection_.groups.size(), -1);
-    for (int stage = 0; stage < dissection_.stages; ++stage) {
-        const auto in_stage = [&](const Group& group) { return group.stage == stage; };
-        const auto begin = std::find_if(dissection_.groups.begin(), dissection_.groups.end(), in_stage);
-        const int first = static_cast<int>(begin - dissection_.groups.begin());
-        const int count = static_cast<int>(std::count_if(begin, dissection_.groups.end(), in_stage));
-        workers.each(count, [&](int task) {
-            const Group& group = dissection_.groups[first + task];
-            std::vector<int> position(dissection_.places());
-            for (int s = group.begin; s < group.end && singular[first + task] < 0; ++s) {
-                if (!eliminate(s, matrix, position)) singular[first + task] = s;
-            }
-        });
-        for (const int s : singular) {
-            if (s < 0) continue;
-            for (MatrixX& update : updates_) update.resize(0, 0);
-            const int node = matrix.mesh_node[dissection_.row[dissection_.supernodes[s].first]];
-            throw Error(
-                "singular: about node " + std::to_string(node) +
-                " found a part of the tissue that nothing holds, or a material that no pressure keeps in shape; wanted fixed "
-                "nodes that keep each connected part from moving and from turning, and materials with μ > 0 and λ > −2μ/3");
+    const std::vector<Group>& groups = dissection_.groups;
+    std::vector<int> singular(groups.size(), -1);
+    const auto eliminate_all = [&](int g, Workers& within) {
+        for (int s = groups[g].begin; s < groups[g].end && singular[g] < 0; ++s) {
+            if (!eliminate(s, matrix, within)) singular[g] = s;
         }
+    };
+    const auto is_first = [](const Group& group) { return group.stage == 0; };
+    const int first = static_cast<int>(std::count_if(groups.begin(), groups.end(), is_first));
+    workers.each(first, [&](int g) { eliminate_all(g, one_thread()); });
+    for (int g = 0; g < static_cast<int>(groups.size()); ++g) {
+        if (g >= first) eliminate_all(g, workers);
+        if (singular[g] >= 0) refuse(matrix.mesh_node[dissection_.row[dissection_.supernodes[singular[g]].first]]);
     }
 }
 
-// False where the supernode's own block is not positive definite. `position` is room for a number for each place.
-bool Factor::eliminate(int s, const BlockMatrix& matrix, std::vector<int>& position) {
+void Factor::refuse(int node) {
+    for (MatrixX& update : updates_) update.resize(0, 0);
+    throw Error("singular: about node " + std::to_string(node) +
+                " found a part of the tissue that nothing holds, or a material that no pressure keeps in shape; wanted fixed "
+                "nodes that keep each connected part from moving and from turning, and materials with μ > 0 and λ > −2μ/3");
+}
+
+// False where the supernode's own block is not positive definite.
+bool Factor::eliminate(int s, const BlockMatrix& matrix, Workers& workers) {
     const Supernode& supernode = dissection_.supernodes[s];
     const int own = 3 * supernode.size, below = 3 * supernode.rows;
-    const int* rows = dissection_.rows.data() + supernode.rows_begin;
-    for (int i = 0; i < supernode.size; ++i) position[supernode.first + i] = 3 * i;
-    for (int i = 0; i < supernode.rows; ++i) position[rows[i]] = own + 3 * i;
+    Front front(own, below, kernel_);
+    add_matrix(supernode, matrix, front);
+    std::vector<double> least(own);
+    for (int i = 0; i < own; ++i) least[i] = rounding * front(i, i);
+    for (const int child : children_[s]) add_update(supernode, child, front);
+    if (!front.sweep(least, workers)) return false;
 
-    // The lower triangle of what is known of these rows: from the matrix, and from the supernodes eliminated before.
-    MatrixX front = MatrixX::Zero(own + below, own);
-    MatrixX update = MatrixX::Zero(below, below);
+    Blocks& blocks = blocks_[s];
+    blocks.inverse.resize(own, own);
+    blocks.below.resize(below, own);
+    updates_[s].resize(below, below);
+    for (int j = 0; j < own; ++j) {
+        for (int i = j; i < own; ++i) blocks.inverse(i, j) = blocks.inverse(j, i) = -front(i, j);
+        for (int i = 0; i < below; ++i) blocks.below(i, j) = front(own + i, j);
+    }
+    for (int j = 0; j < below; ++j) {
+        for (int i = j; i < below; ++i) updates_[s](i, j) = front(own + i, own + j);
+    }
+    return true;
+}
+
+// Which row of a supernode's front a place is at; of those that it has.
+int Factor::position(const Supernode& supernode, int place) const {
+    if (place < supernode.first + supernode.size) return 3 * (place - supernode.first);
+    const auto begin = dissection_.rows.begin() + supernode.rows_begin;
+    return 3 * (supernode.size + static_cast<int>(std::lower_bound(begin, begin + supernode.rows, place) - begin));
+}
+
+void Factor::add_matrix(const Supernode& supernode, const BlockMatrix& matrix, Front& front) const {
     for (int i = 0; i < supernode.size; ++i) {
         const int row = dissection_.row[supernode.first + i];
         for (int at = matrix.start[row]; at < matrix.start[row + 1]; ++at) {
             const int place = dissection_.place[matrix.column[at]];
-            if (place >= supernode.first) front.block<3, 3>(position[place], 3 * i) = matrix.block[at].transpose();
-        }
-    }
-    VectorX before = front.diagonal();
-    for (const int child : children_[s]) {
-        const Supernode& from = dissection_.supernodes[child];
-        const int* from_rows = dissection_.rows.data() + from.rows_begin;
-        const MatrixX& values = updates_[child];
-        for (int j = 0; j < from.rows; ++j) {
-            const int column = position[from_rows[j]];
-            for (int i = j; i < from.rows; ++i) {
-                const int row = position[from_rows[i]];
-                if (column < own) {
-                    front.block<3, 3>(row, column) += values.block<3, 3>(3 * i, 3 * j);
-                } else {
-                    update.block<3, 3>(row - own, column - own) += values.block<3, 3>(3 * i, 3 * j);
-                }
+            if (place < supernode.first + i) continue;
+            const int below = position(supernode, place);
+            for (int a = 0; a < 3; ++a) {
+                for (int b = 0; b < 3; ++b) front(below + a, 3 * i + b) += matrix.block[at](b, a);
             }
         }
-        updates_[child].resize(0, 0);
     }
+}
 
-    const Eigen::LLT<MatrixX> cholesky(front.topRows(own));
-    if (cholesky.info() != Eigen::Success) return false;
-    const VectorX pivots = cholesky.matrixLLT().diagonal().cwiseAbs2();
-    if (!(pivots.array() > rounding * before.array()).all()) return false;
-
-    Blocks& blocks = blocks_[s];
-    blocks.inverse = cholesky.solve(MatrixX::Identity(own, own));
-    blocks.below.noalias() = front.bottomRows(below) * blocks.inverse;
-    update.triangularView<Eigen::Lower>() -= blocks.below * front.bottomRows(below).transpose();
-    updates_[s] = std::move(update);
-    return true;
+void Factor::add_update(const Supernode& supernode, int child, Front& front) {
+    const Supernode& from = dissection_.supernodes[child];
+    std::vector<int> at(from.rows);
+    for (int i = 0; i < from.rows; ++i) at[i] = position(supernode, dissection_.rows[from.rows_begin + i]);
+    const MatrixX& update = updates_[child];
+    for (int j = 0; j < 3 * from.rows; ++j) {
+        const int column = at[j / 3] + j % 3;
+        for (int i = j; i < 3 * from.rows; ++i) front(at[i / 3] + i % 3, column) += update(i, j);
+    }
+    updates_[child].resize(0, 0);
 }
 
 void Factor::solve(Eigen::Ref<VectorX> x) const {

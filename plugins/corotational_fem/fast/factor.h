@@ -2,6 +2,8 @@
 #pragma once
 
 #include "fast/dissection.h"
+#include "fast/front.h"
+#include "fast/kernels.h"
 
 #include <stylet/workers.h>
 
@@ -16,7 +18,7 @@ namespace stylet::corotational_fem {
 class Factor {
 public:
     /// Holds on to the dissection.
-    explicit Factor(const Dissection& dissection);
+    explicit Factor(const Dissection& dissection, InstructionSet set = best_instruction_set());
 
     /// Takes these values. Throws stylet::Error "singular: …" where the matrix is not positive definite, to the accuracy of
     /// double precision; the factor is then of no use until the next call that doesn't throw. Allocates.
@@ -35,9 +37,14 @@ private:
         MatrixX below;      // M
     };
 
-    [[nodiscard]] bool eliminate(int supernode, const BlockMatrix& matrix, std::vector<int>& position);
+    [[nodiscard]] bool eliminate(int supernode, const BlockMatrix& matrix, Workers& workers);
+    [[nodiscard]] int position(const Supernode& supernode, int place) const;
+    void add_matrix(const Supernode& supernode, const BlockMatrix& matrix, Front& front) const;
+    void add_update(const Supernode& supernode, int child, Front& front);
+    [[noreturn]] void refuse(int node);
 
     const Dissection& dissection_;
+    const DenseKernel& kernel_;
     std::vector<std::vector<int>> children_;    // of each supernode
     std::vector<Blocks> blocks_;
     std::vector<MatrixX>

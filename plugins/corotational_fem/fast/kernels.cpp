@@ -3,14 +3,17 @@
 namespace stylet::corotational_fem {
 
 namespace sse2 {
+extern const DenseKernel dense_kernel;
 extern const PanelKernels panel_kernels;
-}
+}    // namespace sse2
 namespace avx2 {
+extern const DenseKernel dense_kernel;
 extern const PanelKernels panel_kernels;
-}
+}    // namespace avx2
 namespace avx512 {
+extern const DenseKernel dense_kernel;
 extern const PanelKernels panel_kernels;
-}
+}    // namespace avx512
 
 bool supported(InstructionSet set) {
     const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("f16c");
@@ -41,6 +44,18 @@ const char* name(InstructionSet set) {
             break;
     }
     return "AVX-512";
+}
+
+const DenseKernel& dense_kernel(InstructionSet set) {
+    switch (set) {
+        case InstructionSet::sse2:
+            return sse2::dense_kernel;
+        case InstructionSet::avx2:
+            return avx2::dense_kernel;
+        case InstructionSet::avx512:
+            break;
+    }
+    return avx512::dense_kernel;
 }
 
 const PanelKernels& panel_kernels(InstructionSet set) {

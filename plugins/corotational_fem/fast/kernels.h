@@ -6,6 +6,7 @@
 // the processor's intrinsics and *.inl files, which become part of a namespace of that set.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace stylet::corotational_fem {
@@ -45,7 +46,15 @@ struct PanelKernels {
     void (*add)(const float* a, const float* f, int length, float* b);
 };
 
+/// C −= V Wᵀ for a few rows and columns of C, in double precision: V `depth` columns of `rows` numbers one after the other, W
+/// likewise, C column by column, `stride` apart.
+struct DenseKernel {
+    int rows, columns;    // divide 24
+    void (*subtract_product)(const double* v, const double* w, int depth, double* c, std::ptrdiff_t stride);
+};
+
 /// Of a set that this processor supports.
+[[nodiscard]] const DenseKernel& dense_kernel(InstructionSet set);
 [[nodiscard]] const PanelKernels& panel_kernels(InstructionSet set);
 
 }    // namespace stylet::corotational_fem

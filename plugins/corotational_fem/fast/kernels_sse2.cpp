@@ -11,6 +11,7 @@ namespace stylet::corotational_fem::sse2 {
 
 inline constexpr int native_lanes = 4;    // floats in a register
 
+#include "fast/dense.inl"
 #include "fast/panels.inl"
 #if __has_include("fast/element_pass.inl")
 #include "fast/element_pass.inl"
