@@ -188,7 +188,7 @@ TEST_P(EachSet, PushesBackWhatIsFlatMirroredOrCollapsed) {
     constexpr double close = 1e-4;    // of a strain of one
     const Deformed beam(false);
     for (const Vector3& stretch : {Vector3(1, 1, 1e-3), Vector3(1, 1, 1e-7), Vector3(1, 1, -0.2), Vector3(1.1, 0.9, -0.8),
-                                   Vector3(0.5, 1e-3, -1e-3), Vector3(3.0, 0.2, 0.1), Vector3(0.3, 0.2, 0.1)}) {
+                                   Vector3(0.5, 2e-2, -1e-3), Vector3(3.0, 0.2, 0.1), Vector3(0.3, 0.2, 0.1)}) {
         const VectorX u = beam.rounded(mapped(beam, stretch.asDiagonal()));
         const Outcome fast = beam.fast(u, GetParam()), plain = beam.plain(u);
         EXPECT_LT(difference(fast.forces, plain.forces), close * 50.0 * stress_scale) << stretch.transpose();

@@ -118,9 +118,11 @@ bool QuasiNewton::iterate() {
         go(step, next);
         next = shortened(step);
     }
-    if (next < step.fraction) {    // nowhere to go: what the pairs say is of no use here
-        pairs_.forget();
+    if (next < step.fraction) {
         go(step, 0.0);
+        // The factor alone points downhill: where there is no downhill, single precision ends.
+        if (pairs_.count() == 0) return true;
+        pairs_.forget();
         return false;
     }
     learn(step);
@@ -186,7 +188,8 @@ bool QuasiNewton::enough(const Step& step) {
     if (measured) trial_.contraction = length / last_step_;
     last_step_ = length;
     if (motion_.implicit && step_length() != motion_.dt) return enough_elsewhere(length, measured);
-    const double left = std::min(std::max(trial_.contraction, least_contraction), residual_share * residual_size_ / step.residual);
+    const double left =
+        std::min(std::max(trial_.contraction, least_contraction), residual_share * residual_size_ / step.residual);
     return length <= resolution * size_ || (step.fraction == 1.0 && length * left <= accuracy_ * size_);
 }
 
