@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <ostream>
 #include <random>
 
 namespace stylet::corotational_fem {
@@ -43,6 +44,10 @@ double spread_of(const std::vector<double>& values) {
 struct Pressed {
     double poisson_ratio;
     bool share_pressure;
+
+    friend std::ostream& operator<<(std::ostream& stream, const Pressed& pressed) {
+        return stream << "nu " << pressed.poisson_ratio << " pressure by " << (pressed.share_pressure ? "patch" : "tetrahedron");
+    }
 };
 
 class ForceAgainstDepth : public ::testing::TestWithParam<Pressed> {};
@@ -54,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Pressures, ForceAgainstDepth,
                          });
 
 TEST_P(ForceAgainstDepth, DoesNotDependOnTheMesh) {
-    constexpr double wanted = 0.05;    // the bound between three mesh sizes; most are within 2 %
+    constexpr double wanted = 0.05;    // what is asked of three mesh sizes; most are within 2 %
     const auto [nu, share_pressure] = GetParam();
     const Vector3 extent(0.1, 0.1, 0.05);
     std::array<Needled, 3> blocks = {gel(extent, {6, 6, 5}, nu, share_pressure), gel(extent, {11, 11, 7}, nu, share_pressure),
