@@ -1,5 +1,6 @@
 #include "fast/panels.h"
 
+#include "fast/faithful_panels.h"
 #include "fast/rest_for_tests.h"
 
 #include <gtest/gtest.h>
@@ -119,20 +120,6 @@ TEST(Panels, SolveLayersAMillionTimesAsStiff) {
     }
 }
 
-// What is left of an error after one correction x += P (b − A x), at worst: the greatest eigenvalue of I − P A.
-double contraction(const Solved& solved, Way way) {
-    Panels panels(solved.factor(), way.storage, way.set);
-    const Eigen::SparseMatrix<double> a = sparse(solved.matrix());
-    VectorX error = noise(a.rows(), 1.0, 1).normalized();
-    double ratio = 0.0;
-    for (int i = 0; i < 30; ++i) {
-        error -= solved.solve(panels, a * error);
-        ratio = error.norm();
-        error /= ratio;
-    }
-    return ratio;
-}
-
 // An iteration that takes halves for an inverse loses nothing to them: the change of the tissue's own stiffness leaves some 0.05.
 TEST(Panels, InHalfPrecisionLeaveLittleOfAnyError) {
     constexpr double little = 0.05;
@@ -141,11 +128,26 @@ TEST(Panels, InHalfPrecisionLeaveLittleOfAnyError) {
          {quasi_static(), backward_euler(1e-3), backward_euler(1e-2), with_shared_pressure(backward_euler(1e-2))}) {
         const Solved solved(rest_matrix(mesh, gel, motion));
         for (const Way way : ways()) {
-            const double left = contraction(solved, way);
+            Panels panels(solved.factor(), way.storage, way.set);
+            const double left = error_left(panels, solved.matrix(), one_thread());
             std::printf("%-7s %-6s leaves %.1e\n", name(way.set), name(way.storage), left);
             EXPECT_LT(left, little);
         }
     }
+}
+
+TEST(FaithfulPanels, AreHalvesOnlyWhereThatDoesNoHarm) {
+    const Mesh mesh = uneven_block({8, 7, 6});
+    const Material soft = elastic(1e3, 0.49, 1000.0), stiff = elastic(1e9, 0.3, 1000.0), beyond = elastic(1e14, 0.3, 1000.0);
+    const InstructionSet set = best_instruction_set();
+    const auto storage = [&](const std::vector<Material>& materials) {
+        const Solved solved(rest_matrix(mesh, materials, quasi_static()));
+        return faithful_panels(solved.factor(), solved.matrix(), set, one_thread())->storage();
+    };
+    EXPECT_EQ(storage(gel), smallest_storage(set));
+    EXPECT_EQ(storage({stiff, soft}), smallest_storage(set));
+    EXPECT_EQ(storage({soft, stiff}), Storage::single);
+    EXPECT_EQ(storage({soft, beyond}), Storage::single);    // whose blocks would not even fit into halves
 }
 
 TEST(Panels, AreSymmetric) {
