@@ -18,6 +18,13 @@ Given given(const char* dynamics, const char* pressure) {
             {"solver", std::string("newton")}};
 }
 
+Given fast(const char* dynamics, const char* pressure) {
+    Given parameters = given(dynamics, pressure);
+    parameters.set("solver", std::string("quasi_newton"));
+    parameters.set("accuracy", 1e-4);
+    return parameters;
+}
+
 Given damped() {
     Given parameters = given("implicit", "tetrahedron");
     parameters.set("damping_time", 0.01);
@@ -37,6 +44,9 @@ TissueSetup two_layers() {
 // Newton's factor may be of an earlier state: under these loads it is off by less.
 constexpr double older_tangent = 1e-2;
 
+// The fast solver's compliance is always that of the undeformed mesh.
+constexpr double undeformed_tangent = 5e-2;
+
 // Loads that bend the mesh so far that Newton factorises anew, and so allocates, are left to the tests of the solver itself.
 STYLET_CONTRACT(
     Case{.name = "AtRest", .parameters = given("quasi_static", "tetrahedron"), .steps = 16, .tangent = older_tangent},
@@ -48,7 +58,14 @@ STYLET_CONTRACT(
          .steps = 16,
          .tangent = older_tangent},
     Case{.name = "Swinging", .parameters = given("implicit", "tetrahedron"), .load = 0.1, .steps = 16, .tangent = older_tangent},
-    Case{.name = "Damped", .parameters = damped(), .load = 0.1, .steps = 16, .tangent = older_tangent})
+    Case{.name = "Damped", .parameters = damped(), .load = 0.1, .steps = 16, .tangent = older_tangent},
+    Case{.name = "Fast", .parameters = fast("quasi_static", "tetrahedron"), .tangent = undeformed_tangent},
+    Case{.name = "FastPatches", .parameters = fast("quasi_static", "patch"), .tangent = undeformed_tangent},
+    Case{.name = "FastTwoLayers",
+         .parameters = fast("quasi_static", "patch"),
+         .tissue = two_layers(),
+         .tangent = undeformed_tangent},
+    Case{.name = "FastSwinging", .parameters = fast("implicit", "tetrahedron"), .tangent = undeformed_tangent})
 
 }    // namespace
 }    // namespace stylet

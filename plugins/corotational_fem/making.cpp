@@ -6,6 +6,7 @@
 #include "solid/newton.h"
 
 #include <cmath>
+#include <sstream>
 
 namespace stylet::corotational_fem {
 
@@ -17,8 +18,9 @@ std::array<int, 3> cells_of(const Parameters& parameters) {
     for (int i = 0; i < 3; ++i) {
         const double value = parameters.vector3("cells")[i];
         if (!(value >= 1.0 && value <= most && value == std::floor(value))) {
-            throw Error("cells",
-                        "found a number of cells that is not a whole one from 1 to 1000, wanted three such, for x, y and z");
+            std::ostringstream text;
+            text << "found " << value << " cells, wanted whole numbers from 1 to 1000 along x, y and z";
+            throw Error("cells", text.str());
         }
         cells[i] = static_cast<int>(value);
     }
