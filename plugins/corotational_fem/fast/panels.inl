@@ -5,7 +5,6 @@ namespace {
 #define STYLET_INLINE inline __attribute__((always_inline))
 
 using Native = float __attribute__((vector_size(native_lanes * sizeof(float))));
-using NativeIndex = int __attribute__((vector_size(native_lanes * sizeof(int))));
 
 constexpr int tile = lanes * lanes;            // numbers in a tile
 constexpr int parts = lanes / native_lanes;    // registers in a column of a tile
@@ -25,17 +24,20 @@ STYLET_INLINE Native load(const std::uint16_t* from) {
 
 STYLET_INLINE void store(float* to, Native value) { *reinterpret_cast<Native*>(to) = value; }
 
+template <int... lane>
+struct Sequence {};
+template <int count, int... lane>
+struct Count : Count<count - 1, count - 1, lane...> {};
+template <int... lane>
+struct Count<0, lane...> {
+    using Lanes = Sequence<lane...>;
+};
+
 // Of two vectors, in each of which `run` lanes at a time are of one sum, one in which half as many are, those of `a` first.
-template <int run>
-STYLET_INLINE Native join(Native a, Native b) {
-    NativeIndex first{}, second{};
-#pragma GCC unroll 16
-    for (int lane = 0; lane < native_lanes; ++lane) {
-        const int within = lane % run;
-        first[lane] = within < run / 2 ? lane : native_lanes + lane - run / 2;
-        second[lane] = first[lane] + run / 2;
-    }
-    return __builtin_shuffle(a, b, first) + __builtin_shuffle(a, b, second);
+template <int run, int... lane>
+STYLET_INLINE Native join(Native a, Native b, Sequence<lane...>) {
+    return __builtin_shufflevector(a, b, (lane % run < run / 2 ? lane : native_lanes + lane - run / 2)...) +
+           __builtin_shufflevector(a, b, (lane % run < run / 2 ? lane + run / 2 : native_lanes + lane)...);
 }
 
 // Lane i of the result is what all lanes of sums[i] add up to.
@@ -44,7 +46,7 @@ STYLET_INLINE Native join_all(const Native* sums) {
     if constexpr (stride == native_lanes) {
         return sums[0];
     } else {
-        return join<2 * stride>(join_all<2 * stride>(sums), join_all<2 * stride>(sums + stride));
+        return join<2 * stride>(join_all<2 * stride>(sums), join_all<2 * stride>(sums + stride), typename Count<native_lanes>::Lanes{});
     }
 }
 
