@@ -106,32 +106,33 @@ void Lbfgs::begin_with(const Float4* r, Float4* q) {
     }
 }
 
-void Lbfgs::finish(Float4* z) const {
+void Lbfgs::finish(const Float4* answer, Float4* z) const {
     switch (trial_.count) {
         case 0:
+            std::copy_n(answer, nodes_, z);
             break;
         case 1:
-            finish_with<1>(z);
+            finish_with<1>(answer, z);
             break;
         case 2:
-            finish_with<2>(z);
+            finish_with<2>(answer, z);
             break;
         default:
-            finish_with<3>(z);
+            finish_with<3>(answer, z);
             break;
     }
 }
 
 // From the oldest to the newest: z ← z + (α_i − y_i·z/(s_i·y_i)) s_i
 template <int count>
-void Lbfgs::finish_with(Float4* z) const {
+void Lbfgs::finish_with(const Float4* answer, Float4* z) const {
     std::array<const Float4*, count> s, y;
     for (int k = 0; k < count; ++k) {
         s[k] = steps_[trial_.slots[k]].data();
         y[k] = changes_[trial_.slots[k]].data();
     }
     const auto along = node_sums<count>(nodes_, [&](int i, auto& parts) {
-        for (int k = 0; k < count; ++k) parts[k] += quad(y[k][i]) * quad(z[i]);
+        for (int k = 0; k < count; ++k) parts[k] += quad(y[k][i]) * quad(answer[i]);
     });
     std::array<double, count> given;
     std::array<float, count> rounded;
@@ -142,7 +143,7 @@ void Lbfgs::finish_with(Float4* z) const {
         rounded[k] = static_cast<float>(given[k]);
     }
     for (int i = 0; i < nodes_; ++i) {
-        Quad sum = quad(z[i]);
+        Quad sum = quad(answer[i]);
         for (int k = 0; k < count; ++k) sum += rounded[k] * quad(s[k][i]);
         quad(z[i]) = sum;
     }

@@ -10,7 +10,7 @@ namespace stylet::corotational_fem {
 /// An inverse stiffness H that agrees with the last pairs (s, y) of a step s and the change y of force along it, H y = s for the
 /// newest, and with an inverse A⁻¹ that the caller applies in every other respect:
 ///
-///     H r = finish(A⁻¹ begin(r))
+///     q = begin(r),   H r = finish(A⁻¹ q)
 ///
 /// Positive definite where A is and every pair's curvature s·y is positive. Source: Nocedal 1980 (the two-loop recursion); here
 /// with the pairs' products kept, so that each half reads every vector only twice.
@@ -35,7 +35,7 @@ public:
     [[nodiscard]] int count() const { return trial_.count; }
 
     void begin(const Float4* r, Float4* q);
-    void finish(Float4* z) const;
+    void finish(const Float4* answer, Float4* z) const;
 
 private:
     static constexpr int slots = 2 * most + 1;    // for the pairs of now, those of the last commit and the next
@@ -51,7 +51,7 @@ private:
     template <int count>
     void begin_with(const Float4* r, Float4* q);
     template <int count>
-    void finish_with(Float4* z) const;
+    void finish_with(const Float4* answer, Float4* z) const;
 
     int nodes_;
     Known trial_, state_;

@@ -54,8 +54,8 @@ public:
     [[nodiscard]] VectorX answer(Lbfgs& pairs, const VectorX& r) const {
         NodalVector q(nodes);
         pairs.begin(nodal(r).data(), q.data());
-        NodalVector z = nodal(plain(q).cwiseQuotient(diagonal_));
-        pairs.finish(z.data());
+        NodalVector z(nodes);
+        pairs.finish(nodal(plain(q).cwiseQuotient(diagonal_)).data(), z.data());
         return plain(z);
     }
 

@@ -1,5 +1,7 @@
 #include "fast/quasi_newton.h"
 
+#include "fast/faithful_panels.h"
+
 #include <stylet/error.h>
 
 #include <algorithm>
@@ -48,9 +50,9 @@ std::vector<float> softnesses(const BlockMatrix& matrix, const Dissection& disse
 
 std::unique_ptr<Panels> factorised(const BlockMatrix& matrix, const Dissection& dissection, Workers& workers,
                                    InstructionSet set) {
-    Factor factor(dissection);
+    Factor factor(dissection, set);
     factor.refactor(matrix, workers);
-    return std::make_unique<Panels>(factor, smallest_storage(set), set);
+    return faithful_panels(factor, matrix, set, workers);
 }
 
 }    // namespace
@@ -81,6 +83,7 @@ QuasiNewton::QuasiNewton(const Mesh& mesh, std::span<const Material> materials, 
       before_(nodes_),
       q_(nodes_ + 1),
       resisting_(nodes_),
+      answer_(nodes_ + 1),
       ahead_(nodes_ + 1) {
     if (has_mass(motion)) mass_ = masses(mesh, materials, dissection_.place_of_node, nodes_);
     trial_.from.resize(nodes_ + 1);
@@ -186,8 +189,27 @@ void QuasiNewton::set_forces(std::span<const double> lambda) {
     if (!same) trial_.settled = ahead_known_ = outer_known_ = false;
 }
 
+// The step that is known, for other forces on the same contacts: what they add goes through the factor alone, as the compliance
+// that linearise told has it.
+void QuasiNewton::redirect(std::span<const double> lambda) {
+    for (int i = 0; i < trial_.contacts; ++i) {
+        const Eigen::Map<const Vector3> force(lambda.data() + 3 * i), before(trial_.lambda.data() + 3 * i);
+        contacts_.push(i, answer_scale() * (force - before));
+    }
+    panels_->backward(q_.data(), workers_);
+    for (int i = 0; i < nodes_; ++i) quad(ahead_[i]) += quad(q_[i]) - quad(answer_[i]);
+    set_forces(lambda);
+    balance();
+    ahead_known_ = true;
+}
+
 StepReport QuasiNewton::try_step(Forces forces) {
-    set_forces({forces.data(), static_cast<std::size_t>(forces.size())});
+    const std::span<const double> lambda(forces.data(), static_cast<std::size_t>(forces.size()));
+    if (ahead_known_ && !trial_.settled && lambda.size() == static_cast<std::size_t>(3 * trial_.contacts)) {
+        if (!std::equal(lambda.begin(), lambda.end(), trial_.lambda.begin())) redirect(lambda);
+    } else {
+        set_forces(lambda);
+    }
     if (trial_.settled) return {};
     if (!ahead_known_) balance();
     last_step_ = 0.0;

@@ -96,6 +96,7 @@ private:
     void evaluate();
     void balance();
     void find_direction();
+    void redirect(std::span<const double> lambda);
     bool iterate();
     [[nodiscard]] Step measure() const;
     void go(Step& step, double fraction);
@@ -108,7 +109,8 @@ private:
     void close_books();
     [[nodiscard]] double step_length() const { return trial_.dt > 0.0 ? trial_.dt : motion_.dt; }
     [[nodiscard]] bool damped() const { return motion_.damping_time > 0.0; }
-    [[nodiscard]] float inertia() const;    // [1/s²] 1/dt²
+    [[nodiscard]] double answer_scale() const;    // [1] by which the factor's answers are taken
+    [[nodiscard]] float inertia() const;          // [1/s²] 1/dt²
     [[nodiscard]] double imbalance() const;
 
     Motion motion_;
@@ -131,6 +133,7 @@ private:
     NodalVector residual_, before_, q_;    // [N] of the trial state, of the one before, and what the factor is asked
     double residual_size_ = 0.0;           // [√J] each node's by its stiffness
     NodalVector resisting_;                // [N] inner forces and inertia of the trial state
+    NodalVector answer_;                   // [m] of the factor alone to q_
     NodalVector ahead_;                    // [m] H r
     bool ahead_known_ = false;
     double size_ = 0.0;         // [m] of the displacements

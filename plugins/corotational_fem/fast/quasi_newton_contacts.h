@@ -30,6 +30,9 @@ public:
     /// Adds Jᵀλ [N] to nodal forces, by place.
     void press(std::span<const double> lambda, NodalVector& forces) const;
 
+    /// Adds a force [N] on a contact that W has been asked of to the solve whose forward half has been done.
+    void push(int contact, const Vector3& force) { reaches_[contact].push(force); }
+
     /// Jx of one contact: the mean of a vector with an entry for each place.
     [[nodiscard]] Vector3 mean(int contact, const NodalVector& x) const;
 

@@ -84,18 +84,23 @@ void QuasiNewton::balance() {
     residual_size_ = std::sqrt(squared[0]);
 }
 
+// A step shorter than the factor's has more inertia: taken so, the factor's answers are right between the modes of stiffness and
+// those of inertia.
+double QuasiNewton::answer_scale() const {
+    const double ratio = motion_.dt / step_length();
+    return motion_.implicit && ratio > 1.0 ? 2.0 / (1.0 + ratio * ratio) : 1.0;
+}
+
 // ahead_ = H r
 void QuasiNewton::find_direction() {
     if (trial_.learnt_dt != step_length()) pairs_.forget();
     trial_.learnt_dt = step_length();
     pairs_.begin(residual_.data(), q_.data());
-    if (step_length() < motion_.dt && motion_.implicit) {    // between the modes of stiffness and those of inertia
-        const double ratio = motion_.dt / step_length();
-        const auto scale = static_cast<float>(2.0 / (1.0 + ratio * ratio));
+    if (const auto scale = static_cast<float>(answer_scale()); scale != 1.0F) {
         for (Float4& q : q_) quad(q) *= scale;
     }
-    panels_->solve(q_.data(), ahead_.data(), workers_);
-    pairs_.finish(ahead_.data());
+    panels_->solve(q_.data(), answer_.data(), workers_);
+    pairs_.finish(answer_.data(), ahead_.data());
     ahead_known_ = true;
 }
 
