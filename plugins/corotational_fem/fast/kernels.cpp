@@ -1,5 +1,7 @@
 #include "fast/kernels.h"
 
+#include <cpuid.h>
+
 namespace stylet::corotational_fem {
 
 namespace sse2 {
@@ -15,8 +17,18 @@ extern const DenseKernel dense_kernel;
 extern const PanelKernels panel_kernels;
 }    // namespace avx512
 
+namespace {
+
+// Clang's __builtin_cpu_supports doesn't know the name. What the operating system must do for it is the same as for AVX.
+bool has_f16c() {
+    unsigned a = 0, b = 0, c = 0, d = 0;
+    return __get_cpuid(1, &a, &b, &c, &d) != 0 && (c & bit_F16C) != 0;
+}
+
+}    // namespace
+
 bool supported(InstructionSet set) {
-    const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("f16c");
+    const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && has_f16c();
     switch (set) {
         case InstructionSet::sse2:
             return true;
