@@ -4,9 +4,9 @@
 
 namespace stylet::corotational_fem {
 
-Lbfgs::Lbfgs(int nodes) : nodes_(nodes) {
-    for (NodalVector& step : steps_) step.resize(nodes);
-    for (NodalVector& change : changes_) change.resize(nodes);
+Lbfgs::Lbfgs(const NodeLoops& loops) : loops_(loops) {
+    for (NodalVector& step : steps_) step.resize(loops.nodes());
+    for (NodalVector& change : changes_) change.resize(loops.nodes());
 }
 
 // The first slot that holds no pair of now nor of the last commit.
@@ -51,7 +51,7 @@ void Lbfgs::multiply_next() {
         y[k] = changes_[trial_.slots[k]].data();
     }
     const Float4 *const next_s = step(), *const next_y = change();
-    const auto sums = node_sums<2 * count>(nodes_, [&](int i, auto& parts) {
+    const auto sums = loops_.sums<2 * count>([&](int i, auto& parts) {
         for (int k = 0; k < count; ++k) {
             parts[k] += quad(s[k][i]) * quad(next_y[i]);
             parts[count + k] += quad(next_s[i]) * quad(y[k][i]);
@@ -67,7 +67,7 @@ void Lbfgs::multiply_next() {
 void Lbfgs::begin(const Float4* r, Float4* q) {
     switch (trial_.count) {
         case 0:
-            std::copy_n(r, nodes_, q);
+            loops_.each([&](int i) { q[i] = r[i]; });
             break;
         case 1:
             begin_with<1>(r, q);
@@ -89,7 +89,7 @@ void Lbfgs::begin_with(const Float4* r, Float4* q) {
         s[k] = steps_[trial_.slots[k]].data();
         y[k] = changes_[trial_.slots[k]].data();
     }
-    const auto along = node_sums<count>(nodes_, [&](int i, auto& parts) {
+    const auto along = loops_.sums<count>([&](int i, auto& parts) {
         for (int k = 0; k < count; ++k) parts[k] += quad(s[k][i]) * quad(r[i]);
     });
     std::array<float, count> taken;
@@ -99,17 +99,17 @@ void Lbfgs::begin_with(const Float4* r, Float4* q) {
         taken_[k] = left / products_[trial_.slots[k]][trial_.slots[k]];
         taken[k] = static_cast<float>(taken_[k]);
     }
-    for (int i = 0; i < nodes_; ++i) {
+    loops_.each([&](int i) {
         Quad left = quad(r[i]);
         for (int k = 0; k < count; ++k) left -= taken[k] * quad(y[k][i]);
         quad(q[i]) = left;
-    }
+    });
 }
 
 void Lbfgs::finish(const Float4* answer, Float4* z) const {
     switch (trial_.count) {
         case 0:
-            std::copy_n(answer, nodes_, z);
+            loops_.each([&](int i) { z[i] = answer[i]; });
             break;
         case 1:
             finish_with<1>(answer, z);
@@ -131,7 +131,7 @@ void Lbfgs::finish_with(const Float4* answer, Float4* z) const {
         s[k] = steps_[trial_.slots[k]].data();
         y[k] = changes_[trial_.slots[k]].data();
     }
-    const auto along = node_sums<count>(nodes_, [&](int i, auto& parts) {
+    const auto along = loops_.sums<count>([&](int i, auto& parts) {
         for (int k = 0; k < count; ++k) parts[k] += quad(y[k][i]) * quad(answer[i]);
     });
     std::array<double, count> given;
@@ -142,11 +142,11 @@ void Lbfgs::finish_with(const Float4* answer, Float4* z) const {
         given[k] = taken_[k] - there / products_[trial_.slots[k]][trial_.slots[k]];
         rounded[k] = static_cast<float>(given[k]);
     }
-    for (int i = 0; i < nodes_; ++i) {
+    loops_.each([&](int i) {
         Quad sum = quad(answer[i]);
         for (int k = 0; k < count; ++k) sum += rounded[k] * quad(s[k][i]);
         quad(z[i]) = sum;
-    }
+    });
 }
 
 }    // namespace stylet::corotational_fem

@@ -20,7 +20,7 @@ class Lbfgs {
 public:
     static constexpr int most = 3;    // pairs; more have taught nothing
 
-    explicit Lbfgs(int nodes);
+    explicit Lbfgs(const NodeLoops& loops);
 
     /// Where the caller writes the next pair, to be kept or overwritten.
     [[nodiscard]] Float4* step() { return steps_[spare()].data(); }
@@ -53,7 +53,7 @@ private:
     template <int count>
     void finish_with(const Float4* answer, Float4* z) const;
 
-    int nodes_;
+    NodeLoops loops_;
     Known trial_, state_;
     std::array<NodalVector, slots> steps_, changes_;             // s and y
     std::array<std::array<double, slots>, slots> products_{};    // s_i · y_j

@@ -14,6 +14,8 @@ constexpr int nodes = 70;    // more than two runs of a sum
 constexpr int unknowns = 3 * nodes;
 constexpr double single = 2e-5;    // of single precision, over some hundred additions
 
+const NodeLoops loops(nodes, one_thread());
+
 NodalVector nodal(const VectorX& v) {
     NodalVector to(nodes);
     for (int i = 0; i < nodes; ++i) {
@@ -78,7 +80,7 @@ private:
 
 TEST(Lbfgs, IsTheUpdateOfBroydenFletcherGoldfarbAndShanno) {
     const Stiffness stiffness;
-    Lbfgs pairs(nodes);
+    Lbfgs pairs(loops);
     const VectorX r = stiffness.step(7);
     std::vector<int> taught;
     for (int k = 0; k < 6; ++k) {
@@ -92,7 +94,7 @@ TEST(Lbfgs, IsTheUpdateOfBroydenFletcherGoldfarbAndShanno) {
 
 TEST(Lbfgs, AnswersTheNewestChangeWithItsStep) {
     const Stiffness stiffness;
-    Lbfgs pairs(nodes);
+    Lbfgs pairs(loops);
     for (int k = 0; k < 6; ++k) {
         stiffness.teach(pairs, k);
         EXPECT_LT((stiffness.answer(pairs, stiffness.change(k)) - stiffness.step(k)).norm(), single * stiffness.step(k).norm());
@@ -101,7 +103,7 @@ TEST(Lbfgs, AnswersTheNewestChangeWithItsStep) {
 
 TEST(Lbfgs, RemembersWhatItKnewAtTheLastCommit) {
     const Stiffness stiffness;
-    Lbfgs pairs(nodes);
+    Lbfgs pairs(loops);
     for (int k = 0; k < 4; ++k) stiffness.teach(pairs, k);
     pairs.commit();
     const VectorX before = stiffness.answer(pairs, stiffness.step(7));
@@ -115,7 +117,7 @@ TEST(Lbfgs, RemembersWhatItKnewAtTheLastCommit) {
 
 TEST(Lbfgs, ThatHasForgottenIsTheFactorAlone) {
     const Stiffness stiffness;
-    Lbfgs pairs(nodes), fresh(nodes);
+    Lbfgs pairs(loops), fresh(loops);
     for (int k = 0; k < 4; ++k) stiffness.teach(pairs, k);
     pairs.forget();
     EXPECT_EQ(stiffness.answer(pairs, stiffness.step(7)), stiffness.answer(fresh, stiffness.step(7)));

@@ -71,7 +71,8 @@ QuasiNewton::QuasiNewton(const Mesh& mesh, std::span<const Material> materials, 
       panels_(factorised(matrix, dissection_, workers, set)),
       elements_(mesh, materials, dissection_.place_of_node, motion.share_pressure, motion.damping_time > 0.0, workers, set),
       contacts_(*panels_),
-      pairs_(dissection_.places()),
+      loops_(dissection_.places(), workers),
+      pairs_(loops_),
       nodes_(dissection_.places()),
       mass_(nodes_, 0.0F),
       softness_(softnesses(matrix, dissection_)),
@@ -82,7 +83,6 @@ QuasiNewton::QuasiNewton(const Mesh& mesh, std::span<const Material> materials, 
       residual_(nodes_),
       before_(nodes_),
       q_(nodes_ + 1),
-      resisting_(nodes_),
       answer_(nodes_ + 1),
       ahead_(nodes_ + 1) {
     if (has_mass(motion)) mass_ = masses(mesh, materials, dissection_.place_of_node, nodes_);
@@ -90,7 +90,7 @@ QuasiNewton::QuasiNewton(const Mesh& mesh, std::span<const Material> materials, 
     for (NodalVector* each : {&trial_.moved, &trial_.loads}) each->resize(nodes_ + 1);
     for (NodalVector* each : {&trial_.coasting, &trial_.inner, &origin_.moved, &origin_.resisting}) each->resize(nodes_);
     trial_.lambda.resize(3 * max_contacts);
-    if (damped()) start_damper();
+    if (damped()) start_damper(trial_.inner);
     gather_loads();
     evaluate();
     open_books();
@@ -141,24 +141,18 @@ void QuasiNewton::predict(double dt) {
 // From the trial state on. It is not moved yet: the pairs know where it is going as well as its inertia does.
 void QuasiNewton::start_step(double dt) {
     const float ahead = trial_.dt > 0.0 ? static_cast<float>(dt / trial_.dt) : 0.0F;
-    for (int i = 0; i < nodes_; ++i) {
-        Place& from = trial_.from[i];
-        Float4& moved = trial_.moved[i];
-        from.x += double{moved.x};
-        from.y += double{moved.y};
-        from.z += double{moved.z};
-        quad(trial_.coasting[i]) = ahead * quad(moved);
-        moved = {};
-    }
+    loops_.each([&](int i) {
+        Quad& moved = quad(trial_.moved[i]);
+        reinterpret_cast<DoubleQuad&>(trial_.from[i]) += __builtin_convertvector(moved, DoubleQuad);
+        quad(trial_.coasting[i]) = ahead * moved;
+        moved = Quad{};
+        origin_.moved[i] = {};
+    });
     trial_.dt = dt;
     trial_.weight_before = trial_.weight;
     trial_.settled = false;
-    if (damped()) {    // without the last step's damping
-        start_damper();
-        std::copy(resisting_.begin(), resisting_.end(), trial_.inner.begin());
-    }
+    if (damped()) start_damper(trial_.inner);    // without the last step's damping
     trial_.dissipated = 0.0;
-    std::fill(origin_.moved.begin(), origin_.moved.end(), Float4{});
     origin_.dissipated = 0.0;
 }
 
@@ -197,7 +191,7 @@ void QuasiNewton::redirect(std::span<const double> lambda) {
         contacts_.push(i, answer_scale() * (force - before));
     }
     panels_->backward(q_.data(), workers_);
-    for (int i = 0; i < nodes_; ++i) quad(ahead_[i]) += quad(q_[i]) - quad(answer_[i]);
+    loops_.each([&](int i) { quad(ahead_[i]) += quad(q_[i]) - quad(answer_[i]); });
     set_forces(lambda);
     balance();
     ahead_known_ = true;
@@ -227,8 +221,8 @@ void QuasiNewton::rollback() {
     trial_ = state_;
     pairs_.rollback();
     ahead_known_ = outer_known_ = false;
-    if (damped()) start_damper();
-    locate();
+    if (damped()) start_damper(q_);
+    move(0.0F);
 }
 
 Vector3 QuasiNewton::displacement(int node) const {

@@ -91,10 +91,10 @@ private:
     void gather_loads();
     void set_forces(std::span<const double> lambda);
     void start_step(double dt);
-    void start_damper();
-    void locate();
+    void start_damper(NodalVector& forces);
+    void move(float fraction);
     void evaluate();
-    void balance();
+    double balance();
     void find_direction();
     void redirect(std::span<const double> lambda);
     bool iterate();
@@ -104,7 +104,7 @@ private:
     void learn(const Step& step);
     [[nodiscard]] bool enough(const Step& step);
     [[nodiscard]] bool enough_elsewhere(double length, bool measured) const;
-    void resist(NodalVector& forces) const;
+    [[nodiscard]] auto resisting() const;
     void open_books();
     void close_books();
     [[nodiscard]] double step_length() const { return trial_.dt > 0.0 ? trial_.dt : motion_.dt; }
@@ -120,6 +120,7 @@ private:
     std::unique_ptr<Panels> panels_;
     ElementForces elements_;
     Contacts contacts_;
+    NodeLoops loops_;
     Lbfgs pairs_;
     int nodes_;                      // free ones
     std::vector<float> mass_;        // [kg]
@@ -132,7 +133,6 @@ private:
     bool outer_known_ = false;
     NodalVector residual_, before_, q_;    // [N] of the trial state, of the one before, and what the factor is asked
     double residual_size_ = 0.0;           // [√J] each node's by its stiffness
-    NodalVector resisting_;                // [N] inner forces and inertia of the trial state
     NodalVector answer_;                   // [m] of the factor alone to q_
     NodalVector ahead_;                    // [m] H r
     bool ahead_known_ = false;

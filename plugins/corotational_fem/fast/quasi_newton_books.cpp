@@ -5,23 +5,31 @@
 
 namespace stylet::corotational_fem {
 
+namespace {
+
+Quad single(const Vector3& v) {
+    return Quad{static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()), 0.0F};
+}
+
+}    // namespace
+
 // What holds against forces from outside: inner forces and inertia M (u − ũ)/dt². Before its clock runs, a tissue that has
 // inertia is about to be let go: its first acceleration is gravity's.
-void QuasiNewton::resist(NodalVector& forces) const {
-    const float rate = inertia();
+auto QuasiNewton::resisting() const {
     const bool waits = motion_.implicit && trial_.dt == 0.0;
-    const Vector3 held = waits ? motion_.gravity : Vector3(Vector3::Zero());
-    const Quad gravity{static_cast<float>(held.x()), static_cast<float>(held.y()), static_cast<float>(held.z()), 0.0F};
-    for (int i = 0; i < nodes_; ++i) {
-        const Quad acceleration = rate * (quad(trial_.moved[i]) - quad(trial_.coasting[i])) + gravity;
-        quad(forces[i]) = quad(trial_.inner[i]) + mass_[i] * acceleration;
-    }
+    return [this, rate = inertia(), held = single(waits ? motion_.gravity : Vector3(Vector3::Zero()))](int i) {
+        const Quad acceleration = rate * (quad(trial_.moved[i]) - quad(trial_.coasting[i])) + held;
+        return quad(trial_.inner[i]) + mass_[i] * acceleration;
+    };
 }
 
 // Before the step moves on: its books begin where the last one's ended.
 void QuasiNewton::open_books() {
-    resist(origin_.resisting);
-    std::copy_n(trial_.moved.begin(), nodes_, origin_.moved.begin());
+    const auto resisting_at = resisting();
+    loops_.each([&](int i) {
+        quad(origin_.resisting[i]) = resisting_at(i);
+        origin_.moved[i] = trial_.moved[i];
+    });
     origin_.elastic = trial_.elastic;
     origin_.kinetic = trial_.kinetic;
     origin_.dissipated = trial_.dissipated;
@@ -32,12 +40,11 @@ void QuasiNewton::open_books() {
 // Forces from outside did work against what resists them, by the trapezoid rule; what of it is neither stored nor damped is the
 // integrator's.
 void QuasiNewton::close_books() {
-    resist(resisting_);
-    const Quad gravity{static_cast<float>(motion_.gravity.x()), static_cast<float>(motion_.gravity.y()),
-                       static_cast<float>(motion_.gravity.z()), 0.0F};
-    const auto [twice_work, twice_kinetic, fallen] = node_sums<3>(nodes_, [&](int i, auto& sums) {
+    const auto resisting_at = resisting();
+    const Quad gravity = single(motion_.gravity);
+    const auto [twice_work, twice_kinetic, fallen] = loops_.sums<3>([&](int i, auto& sums) {
         const Quad moved = quad(trial_.moved[i]);
-        sums[0] += (quad(origin_.resisting[i]) + quad(resisting_[i])) * (moved - quad(origin_.moved[i]));
+        sums[0] += (quad(origin_.resisting[i]) + resisting_at(i)) * (moved - quad(origin_.moved[i]));
         sums[1] += mass_[i] * moved * moved;
         sums[2] += mass_[i] * moved * gravity;
     });

@@ -37,19 +37,20 @@ float QuasiNewton::inertia() const {
     return motion_.implicit ? static_cast<float>(1.0 / (step_length() * step_length())) : 0.0F;
 }
 
-// Where the step began, for its damper; its undamped forces into resisting_.
-void QuasiNewton::start_damper() {
-    for (int i = 0; i < nodes_; ++i) {
-        quad(start_[i]) = __builtin_convertvector(reinterpret_cast<const DoubleQuad&>(trial_.from[i]), Quad);
-    }
-    elements_.start(start_.data(), resisting_.data());
+// Where the step began, for its damper; its undamped forces into `forces`.
+void QuasiNewton::start_damper(NodalVector& forces) {
+    loops_.each(
+        [&](int i) { quad(start_[i]) = __builtin_convertvector(reinterpret_cast<const DoubleQuad&>(trial_.from[i]), Quad); });
+    elements_.start(start_.data(), forces.data());
 }
 
-// The displacements of the trial state, in single precision.
-void QuasiNewton::locate() {
-    const auto squared = node_sums<1>(nodes_, [&](int i, auto& sums) {
+// Further along ahead_, and where that is in single precision.
+void QuasiNewton::move(float fraction) {
+    const auto squared = loops_.sums<1>([&](int i, auto& sums) {
+        Quad& moved = quad(trial_.moved[i]);
+        moved += fraction * quad(ahead_[i]);
         const DoubleQuad from = reinterpret_cast<const DoubleQuad&>(trial_.from[i]);
-        const Quad at = __builtin_convertvector(from + __builtin_convertvector(quad(trial_.moved[i]), DoubleQuad), Quad);
+        const Quad at = __builtin_convertvector(from + __builtin_convertvector(moved, DoubleQuad), Quad);
         quad(x_[i]) = at;
         sums[0] += at * at;
     });
@@ -58,7 +59,6 @@ void QuasiNewton::locate() {
 
 // What the trial displacements say, whatever acts from outside.
 void QuasiNewton::evaluate() {
-    locate();
     const ElementSums sums =
         damped() ? elements_.strain(x_.data(), start_.data(), motion_.damping_time / step_length(), trial_.inner.data())
                  : elements_.strain(x_.data(), trial_.inner.data());
@@ -67,21 +67,23 @@ void QuasiNewton::evaluate() {
     trial_.inverted = sums.inverted;
 }
 
-// r = w + f + Jᵀλ − inner − M (u − ũ)/dt²
-void QuasiNewton::balance() {
+// r = w + f + Jᵀλ − inner − M (u − ũ)/dt². Returns what it is along ahead_ [J].
+double QuasiNewton::balance() {
     if (!outer_known_) {
-        std::copy(trial_.loads.begin(), trial_.loads.end(), outer_.begin());
+        loops_.each([&](int i) { outer_[i] = trial_.loads[i]; });
         contacts_.press({trial_.lambda.data(), static_cast<std::size_t>(3 * trial_.contacts)}, outer_);
         outer_known_ = true;
     }
     const float rate = inertia();
-    const auto squared = node_sums<1>(nodes_, [&](int i, auto& sums) {
+    const auto [squared, along] = loops_.sums<2>([&](int i, auto& sums) {
         const Quad resisting = quad(trial_.inner[i]) + rate * mass_[i] * (quad(trial_.moved[i]) - quad(trial_.coasting[i]));
         const Quad left = quad(outer_[i]) - resisting;
         quad(residual_[i]) = left;
         sums[0] += softness_[i] * left * left;
+        sums[1] += left * quad(ahead_[i]);
     });
-    residual_size_ = std::sqrt(squared[0]);
+    residual_size_ = std::sqrt(squared);
+    return along;
 }
 
 // A step shorter than the factor's has more inertia: taken so, the factor's answers are right between the modes of stiffness and
@@ -97,7 +99,7 @@ void QuasiNewton::find_direction() {
     trial_.learnt_dt = step_length();
     pairs_.begin(residual_.data(), q_.data());
     if (const auto scale = static_cast<float>(answer_scale()); scale != 1.0F) {
-        for (Float4& q : q_) quad(q) *= scale;
+        loops_.each([&](int i) { quad(q_[i]) *= scale; });
     }
     panels_->solve(q_.data(), answer_.data(), workers_);
     pairs_.finish(answer_.data(), ahead_.data());
@@ -136,7 +138,7 @@ bool QuasiNewton::iterate() {
 
 QuasiNewton::Step QuasiNewton::measure() const {
     const float rate = inertia();
-    const auto sums = node_sums<4>(nodes_, [&](int i, auto& parts) {
+    const auto sums = loops_.sums<4>([&](int i, auto& parts) {
         const Quad d = quad(ahead_[i]);
         parts[0] += quad(residual_[i]) * d;
         parts[1] += d * d;
@@ -154,12 +156,10 @@ QuasiNewton::Step QuasiNewton::measure() const {
 }
 
 void QuasiNewton::go(Step& step, double fraction) {
-    const auto further = static_cast<float>(fraction - step.fraction);
-    for (int i = 0; i < nodes_; ++i) quad(trial_.moved[i]) += further * quad(ahead_[i]);
+    move(static_cast<float>(fraction - step.fraction));
     step.fraction = fraction;
     evaluate();
-    balance();
-    step.along = node_sums<1>(nodes_, [&](int i, auto& sums) { sums[0] += quad(residual_[i]) * quad(ahead_[i]); })[0];
+    step.along = balance();
 }
 
 // The fraction to go back to where the step was too long, else its own. The potential is Ψ + |u − ũ|²M/(2 dt²) − (w + f + Jᵀλ)·u.
@@ -180,10 +180,10 @@ void QuasiNewton::learn(const Step& step) {
     if (step.fraction * std::sqrt(step.squared) < least_lesson * size_) return;
     const auto fraction = static_cast<float>(step.fraction);
     Float4 *const s = pairs_.step(), *const y = pairs_.change();
-    for (int i = 0; i < nodes_; ++i) {
+    loops_.each([&](int i) {
         quad(s[i]) = fraction * quad(ahead_[i]);
         quad(y[i]) = quad(before_[i]) - quad(residual_[i]);
-    }
+    });
     pairs_.keep(step.fraction * (step.slope - step.along));
 }
 
