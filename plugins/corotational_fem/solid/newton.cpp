@@ -38,8 +38,7 @@ Newton::Newton(const Mesh& mesh, std::span<const Material> materials, const Moti
       ahead_(weight_),
       before_(weight_),
       damping_forces_(weight_),
-      right_(3 * tangent_.free_nodes()),
-      permuted_(right_) {
+      permuted_(3 * tangent_.free_nodes()) {
     for (Placed& placed : placed_) placed.footprint.reserve(mesh.nodes.size());
     if (motion.implicit || !motion.gravity.isZero(0.0)) {
         mass_ = three_each(solid_.lumped_mass());
@@ -198,15 +197,19 @@ bool Newton::factorise(double dt, Twists twists) {
     return factor_.info() == Eigen::Success && factor_.vectorD().minCoeff() > 0.0;
 }
 
+// Permuted by hand: Eigen's products with a permutation allocate.
 void Newton::solve(const VectorX& forces, VectorX& displacements) {
-    for (int i = 0; i < tangent_.free_nodes(); ++i) right_.segment<3>(3 * i) = forces.segment<3>(3 * tangent_.nodes()[i]);
+    const auto& places = factor_.permutationP().indices();    // of each row in the factor
+    for (int i = 0; i < tangent_.free_nodes(); ++i) {
+        for (int k = 0; k < 3; ++k) permuted_[places[3 * i + k]] = forces[3 * tangent_.nodes()[i] + k];
+    }
     displacements.setZero();    // of held nodes: `forces` may be the same vector
-    permuted_ = factor_.permutationP() * right_;
     factor_.matrixL().solveInPlace(permuted_);
     permuted_.array() /= factor_.vectorD().array();
     factor_.matrixU().solveInPlace(permuted_);
-    right_ = factor_.permutationPinv() * permuted_;
-    for (int i = 0; i < tangent_.free_nodes(); ++i) displacements.segment<3>(3 * tangent_.nodes()[i]) = right_.segment<3>(3 * i);
+    for (int i = 0; i < tangent_.free_nodes(); ++i) {
+        for (int k = 0; k < 3; ++k) displacements[3 * tangent_.nodes()[i] + k] = permuted_[places[3 * i + k]];
+    }
 }
 
 // The mesh under a newton on each direction of a contact, and how far that moves those answered before.

@@ -88,15 +88,15 @@ private:
     int factorisations_ = 0;
 
     std::vector<Placed> placed_;
-    int contacts_ = 0;                                      // the first so many are acted on
-    MatrixX moved_;                                         // 3n × 3 max_contacts, [m/N] A⁻¹Jᵀ
-    MatrixX compliance_;                                    // of the contacts, [m/N]
-    double potential_ = 0.0;                                // [J] of the trial state, but for the outer forces
-    VectorX residual_;                                      // 3n, [N] of the trial state, zero where held
-    VectorX pressed_;                                       // 3n, [N] Jᵀλ
-    VectorX ahead_;                                         // 3n, [m] A⁻¹r
-    VectorX before_, damping_forces_, right_, permuted_;    // scratch
-    State trial_, state_, origin_;                          // origin_: where this step's books begin
+    int contacts_ = 0;                              // the first so many are acted on
+    MatrixX moved_;                                 // 3n × 3 max_contacts, [m/N] A⁻¹Jᵀ
+    MatrixX compliance_;                            // of the contacts, [m/N]
+    double potential_ = 0.0;                        // [J] of the trial state, but for the outer forces
+    VectorX residual_;                              // 3n, [N] of the trial state, zero where held
+    VectorX pressed_;                               // 3n, [N] Jᵀλ
+    VectorX ahead_;                                 // 3n, [m] A⁻¹r
+    VectorX before_, damping_forces_, permuted_;    // scratch
+    State trial_, state_, origin_;                  // origin_: where this step's books begin
 };
 
 }    // namespace stylet::corotational_fem
