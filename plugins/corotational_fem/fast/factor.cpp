@@ -18,11 +18,16 @@ Factor::Factor(const Dissection& dissection, InstructionSet set)
     : dissection_(dissection),
       kernel_(dense_kernel(set)),
       children_(dissection.supernodes.size()),
-      blocks_(dissection.supernodes.size()),
       updates_(dissection.supernodes.size()) {
     for (int s = 0; s < static_cast<int>(children_.size()); ++s) {
         if (const int parent = dissection.parent(s); parent >= 0) children_[parent].push_back(s);
     }
+    std::size_t count = 0;
+    for (const Supernode& supernode : dissection.supernodes) {
+        at_.push_back(count);
+        count += std::size_t{9} * supernode.size * (supernode.size + supernode.rows);
+    }
+    values_.resize(count);
 }
 
 // Threads share the groups of the first stage, and after that, where there are few and large ones, each front.
@@ -44,7 +49,7 @@ void Factor::refactor(const BlockMatrix& matrix, Workers& workers) {
 }
 
 void Factor::refuse(int node) {
-    for (MatrixX& update : updates_) update.resize(0, 0);
+    for (std::vector<double>& update : updates_) update = std::vector<double>();
     throw Error("singular: about node " + std::to_string(node) +
                 " found a part of the tissue that nothing holds, or a material that no pressure keeps in shape; wanted fixed "
                 "nodes that keep each connected part from moving and from turning, and materials with μ > 0 and λ > −2μ/3");
@@ -61,17 +66,13 @@ bool Factor::eliminate(int s, const BlockMatrix& matrix, Workers& workers) {
     for (const int child : children_[s]) add_update(supernode, child, front);
     if (!front.sweep(least, workers)) return false;
 
-    Blocks& blocks = blocks_[s];
-    blocks.inverse.resize(own, own);
-    blocks.below.resize(below, own);
-    updates_[s].resize(below, below);
+    Eigen::Map<MatrixX> inverse(values_.data() + at_[s], own, own), to_rows(inverse.data() + inverse.size(), below, own);
     for (int j = 0; j < own; ++j) {
-        for (int i = j; i < own; ++i) blocks.inverse(i, j) = blocks.inverse(j, i) = -front(i, j);
-        for (int i = 0; i < below; ++i) blocks.below(i, j) = front(own + i, j);
+        for (int i = j; i < own; ++i) inverse(i, j) = inverse(j, i) = -front(i, j);
+        for (int i = 0; i < below; ++i) to_rows(i, j) = front(own + i, j);
     }
-    for (int j = 0; j < below; ++j) {
-        for (int i = j; i < below; ++i) updates_[s](i, j) = front(own + i, own + j);
-    }
+    updates_[s].reserve(below * (below + 1) / 2);
+    for (int j = own; j < own + below; ++j) updates_[s].insert(updates_[s].end(), &front(j, j), &front(j, j) + own + below - j);
     return true;
 }
 
@@ -98,22 +99,23 @@ void Factor::add_matrix(const Supernode& supernode, const BlockMatrix& matrix, F
 
 void Factor::add_update(const Supernode& supernode, int child, Front& front) {
     const Supernode& from = dissection_.supernodes[child];
-    std::vector<int> at(from.rows);
-    for (int i = 0; i < from.rows; ++i) at[i] = position(supernode, dissection_.rows[from.rows_begin + i]);
-    const MatrixX& update = updates_[child];
-    for (int j = 0; j < 3 * from.rows; ++j) {
-        const int column = at[j / 3] + j % 3;
-        for (int i = j; i < 3 * from.rows; ++i) front(at[i / 3] + i % 3, column) += update(i, j);
+    const int count = 3 * from.rows;
+    std::vector<int> at(count);
+    for (int i = 0; i < count; ++i) at[i] = position(supernode, dissection_.rows[from.rows_begin + i / 3]) + i % 3;
+    const double* update = updates_[child].data();
+    for (int j = 0; j < count; ++j) {
+        double* const column = &front(0, at[j]);
+        for (int i = j; i < count; ++i) column[at[i]] += *update++;
     }
-    updates_[child].resize(0, 0);
+    updates_[child] = std::vector<double>();    // {} would keep its room
 }
 
 void Factor::solve(Eigen::Ref<VectorX> x) const {
-    const int count = static_cast<int>(blocks_.size());
+    const int count = static_cast<int>(at_.size());
     VectorX rows;
     for (int s = 0; s < count; ++s) {
         const Supernode& supernode = dissection_.supernodes[s];
-        rows = blocks_[s].below * x.segment(3 * supernode.first, 3 * supernode.size);
+        rows = below(s) * x.segment(3 * supernode.first, 3 * supernode.size);
         for (int i = 0; i < supernode.rows; ++i) {
             x.segment<3>(3 * dissection_.rows[supernode.rows_begin + i]) -= rows.segment<3>(3 * i);
         }
@@ -125,7 +127,7 @@ void Factor::solve(Eigen::Ref<VectorX> x) const {
             rows.segment<3>(3 * i) = x.segment<3>(3 * dissection_.rows[supernode.rows_begin + i]);
         }
         auto own = x.segment(3 * supernode.first, 3 * supernode.size);
-        own = (blocks_[s].inverse * own - blocks_[s].below.transpose() * rows).eval();
+        own = (inverse(s) * own - below(s).transpose() * rows).eval();
     }
 }
 

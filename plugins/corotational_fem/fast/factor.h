@@ -27,16 +27,18 @@ public:
     /// x := A⁻¹ x; 3 numbers a place.
     void solve(Eigen::Ref<VectorX> x) const;
 
-    [[nodiscard]] const MatrixX& inverse(int supernode) const { return blocks_[supernode].inverse; }
-    [[nodiscard]] const MatrixX& below(int supernode) const { return blocks_[supernode].below; }
+    /// [m/N] S⁻¹, symmetric.
+    [[nodiscard]] Eigen::Map<const MatrixX> inverse(int s) const { return {values_.data() + at_[s], own(s), own(s)}; }
+
+    /// M.
+    [[nodiscard]] Eigen::Map<const MatrixX> below(int s) const {
+        return {values_.data() + at_[s] + own(s) * own(s), 3 * dissection_.supernodes[s].rows, own(s)};
+    }
+
     [[nodiscard]] const Dissection& dissection() const { return dissection_; }
 
 private:
-    struct Blocks {
-        MatrixX inverse;    // [m/N] S⁻¹, symmetric
-        MatrixX below;      // M
-    };
-
+    [[nodiscard]] int own(int s) const { return 3 * dissection_.supernodes[s].size; }
     [[nodiscard]] bool eliminate(int supernode, const BlockMatrix& matrix, Workers& workers);
     [[nodiscard]] int position(const Supernode& supernode, int place) const;
     void add_matrix(const Supernode& supernode, const BlockMatrix& matrix, Front& front) const;
@@ -46,9 +48,10 @@ private:
     const Dissection& dissection_;
     const DenseKernel& kernel_;
     std::vector<std::vector<int>> children_;    // of each supernode
-    std::vector<Blocks> blocks_;
-    std::vector<MatrixX>
-        updates_;    // [N/m] what a supernode adds to the block of its rows, lower triangle, until its parent has it
+    std::vector<std::size_t> at_;               // of each supernode, where its blocks are in values_: S⁻¹, then M
+    std::vector<double> values_;                // in one piece, which goes back to the operating system when it is freed
+    // [N/m] Of each supernode, until its parent has it: what is to be added at its rows, the lower triangle column by column.
+    std::vector<std::vector<double>> updates_;
 };
 
 }    // namespace stylet::corotational_fem
