@@ -28,6 +28,12 @@ int tiles(int nodes) {
     return (3 * nodes + lanes - 1) / lanes;
 }
 
+// Of a supernode's part in a solve, in tiles read (kernels.h).
+double cost(int size, int rows) {
+    const int own = tiles(size);
+    return own * (own + 1) / 2.0 + below_cost * own * tiles(rows) + supernode_cost;
+}
+
 // The place of each row in METIS's order.
 std::vector<int> fill_reducing_order(const BlockMatrix& matrix) {
     idx_t count = matrix.rows();
@@ -44,7 +50,7 @@ std::vector<int> fill_reducing_order(const BlockMatrix& matrix) {
     }
     idx_t options[METIS_NOPTIONS];
     METIS_SetDefaultOptions(options);
-    options[METIS_OPTION_SEED] = 1;
+    options[METIS_OPTION_SEED] = 1;    // of the C library's rand(), which METIS takes its random numbers from
     if (METIS_NodeND(&count, start.data(), neighbours.data(), nullptr, options, order.data(), place.data()) != METIS_OK) {
         throw std::bad_alloc();    // its one way to fail with a graph as good as this
     }
@@ -203,11 +209,6 @@ void tie(Dissection& d) {
 }
 
 }    // namespace
-
-double cost(int size, int rows) {
-    const int own = tiles(size);
-    return own * (own + 1) / 2.0 + below_cost * own * tiles(rows) + supernode_cost;
-}
 
 Dissection dissect(const BlockMatrix& matrix) {
     const std::vector<int> first_order = fill_reducing_order(matrix);

@@ -45,7 +45,4 @@ struct Dissection {
 
 [[nodiscard]] Dissection dissect(const BlockMatrix& matrix);
 
-/// What it costs to apply a supernode's blocks once, in tiles read (kernels.h): the measure that shapes the tree.
-[[nodiscard]] double cost(int size, int rows);
-
 }    // namespace stylet::corotational_fem

@@ -22,10 +22,10 @@ enum class Storage : std::uint8_t { single, half };    // IEEE numbers of 32 or 
 
 /// A⁻¹ of a Factor, which it needs no longer once made, in single precision.
 ///
-/// Each node's unknowns are scaled by C = √(trace/3) of its block of S⁻¹, so that C⁻¹ S⁻¹ C⁻¹ has ones on its diagonal and no
-/// number beyond them: none overflows when it is stored in half precision. M becomes C M C⁻¹, whose numbers stay below the root
-/// of how much softer a node is with all others held or let go. Rounding keeps what is symmetric symmetric: the operator
-/// is that of *a* symmetric matrix, whatever the storage, and its inverse is within the storage's accuracy of A's.
+/// Each node's unknowns are scaled by C = √(trace/3) of its block of S⁻¹, so that C⁻¹ S⁻¹ C⁻¹ has numbers of one and less, and M
+/// becomes C M C⁻¹, of some ones where materials are alike; it grows with the root of how far they differ, and faithful_panels()
+/// sees to it that it stays within what halves can hold. Rounding keeps what is symmetric symmetric: P is the inverse of *a*
+/// symmetric matrix, whatever the storage.
 ///
 /// Vectors are in places (Dissection), with one entry more for the node that stands for all fixed ones: its force is not read and
 /// its displacement not written. Nothing allocates, locks or throws but the constructor. Results are the same bits for any number
