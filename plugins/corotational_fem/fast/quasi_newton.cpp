@@ -14,6 +14,9 @@ namespace {
 // So that a time step can't take much longer than others; what it leaves undone, the next call does.
 constexpr int most_iterations = 10;
 
+// Of the accuracy: what forces that another linearisation corrects may leave undone.
+constexpr double negligible = 1e-3;
+
 bool has_mass(const Motion& motion) {
     return motion.implicit || !motion.gravity.isZero(0.0);
 }
@@ -83,6 +86,8 @@ QuasiNewton::QuasiNewton(const Mesh& mesh, std::span<const Material> materials, 
       residual_(nodes_),
       before_(nodes_),
       q_(nodes_ + 1),
+      changed_(3 * max_contacts),
+      moved_(3 * max_contacts),
       answer_(nodes_ + 1),
       ahead_(nodes_ + 1) {
     if (has_mass(motion)) mass_ = masses(mesh, materials, dissection_.place_of_node, nodes_);
@@ -197,14 +202,29 @@ void QuasiNewton::redirect(std::span<const double> lambda) {
     ahead_known_ = true;
 }
 
+// Whether other forces on the same contacts would move them by nothing that counts.
+bool QuasiNewton::same_to_accuracy(std::span<const double> lambda) {
+    if (lambda.size() != static_cast<std::size_t>(3 * trial_.contacts)) return false;
+    const auto rows = static_cast<Eigen::Index>(lambda.size());
+    const Eigen::Map<const VectorX> forces(lambda.data(), rows), before(trial_.lambda.data(), rows);
+    changed_.head(rows) = forces - before;
+    moved_.head(rows).noalias() = contacts_.compliance(trial_.contacts) * changed_.head(rows);
+    return moved_.head(rows).norm() <= negligible * accuracy_ * size_;
+}
+
 StepReport QuasiNewton::try_step(Forces forces) {
     const std::span<const double> lambda(forces.data(), static_cast<std::size_t>(forces.size()));
+    if (trial_.settled && same_to_accuracy(lambda)) {
+        std::copy(lambda.begin(), lambda.end(), trial_.lambda.begin());
+        outer_known_ = false;
+        return {};
+    }
     if (ahead_known_ && !trial_.settled && lambda.size() == static_cast<std::size_t>(3 * trial_.contacts)) {
         if (!std::equal(lambda.begin(), lambda.end(), trial_.lambda.begin())) redirect(lambda);
     } else {
         set_forces(lambda);
+        if (trial_.settled) return {};
     }
-    if (trial_.settled) return {};
     if (!ahead_known_) balance();
     last_step_ = 0.0;
     for (int i = 0; i < most_iterations && !trial_.settled; ++i) trial_.settled = iterate();

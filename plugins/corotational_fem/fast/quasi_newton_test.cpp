@@ -307,6 +307,9 @@ TEST(QuasiNewton, DoesNoWorkTwice) {
     fast.predict(0.0);
     fast.linearise(1, free, compliance);
     EXPECT_EQ(fast.try_step(acting).residual, 0.0);
+    const VectorX nearly = forces + Vector3(0.0, 0.0, 1e-10);
+    EXPECT_EQ(fast.try_step(Forces(nearly.data(), 3)).residual, 0.0);
+    EXPECT_EQ(fast.try_step(acting).residual, 0.0);
     fast.linearise(1, again, same);
     EXPECT_EQ(fast.iterations(), iterations);
     EXPECT_EQ(total(fast.energy()), total(energy));
