@@ -1,5 +1,5 @@
 # The front door. CMakePresets.json holds the builds themselves.
-.PHONY: run needles buckling test bench build deps clean
+.PHONY: run needles buckling tissue test bench bench-tissue build deps clean
 .DEFAULT_GOAL := build
 
 stylet := build/release/bin/stylet
@@ -24,12 +24,25 @@ buckling: build
 	  --model foundation,form=printed --model foundation,form=consistent --model winkler \
 	  --model layered_explicit,terms=2 --model layered_explicit,terms=3
 
+# The needle of 150 mm into meshes of three sizes and into the half-space: force against travel on one picture.
+meshes := 6,6,3 10,10,4 16,16,6
+tissue: build
+	$(stylet) run scenes/paper/fig10a_l150.yaml --set 'title=half_space' --out out/tissue/half_space
+	$(foreach m,$(meshes),$(stylet) run scenes/paper/fig10a_l150.yaml --set tissue.type=corotational_fem --set 'tissue.corotational_fem.cells=[$(m)]' \
+	  --set 'title=corotational_fem, $(m) cells' --out out/tissue/$(m) &&) true
+	$(stylet) plot out/tissue/half_space/fig10a_l150.csv $(foreach m,$(meshes),out/tissue/$(m)/fig10a_l150.csv) --x travel --out out/tissue/meshes
+
 test: build
 	ctest --preset release
 
 bench: build
 	build/release/bin/stylet_bench
 	build/release/bin/stylet_answers_bench
+
+# The finite-element tissue on four meshes, step by step against Newton's method: half an hour. `make bench-tissue cells=15` leaves the
+# largest out.
+bench-tissue: build
+	build/release/bin/stylet_tissue_bench $(cells)
 
 build: deps
 	cmake --preset release
