@@ -85,8 +85,7 @@ Panels::Panels(const Factor& factor, Storage storage, InstructionSet set)
 
 void Panels::lay_out() {
     static_assert(sizeof(Line) == lanes * sizeof(float), "a line is a column of a tile in single precision");
-    const std::size_t lines_per_tile = storage_ == Storage::half ? lanes / 2 : lanes;
-    std::size_t lines = 0;
+    const std::size_t tile = lanes * lanes * (storage_ == Storage::half ? sizeof(Eigen::half) : sizeof(float));    // [bytes]
     int loads = 0, nodes = 0, scratch = 0;
     for (int g = 0; g < static_cast<int>(dissection_.groups.size()); ++g) {
         const Group& group = dissection_.groups[g];
@@ -95,17 +94,17 @@ void Panels::lay_out() {
         for (int s = group.begin; s < group.end; ++s) {
             const Supernode& supernode = dissection_.supernodes[s];
             const int own = tiles(supernode.size), rows = tiles(supernode.rows), inverse = own * (own + 1) / 2;
-            parts_.push_back({lines, lines + inverse * lines_per_tile, own, rows, loads, nodes + supernode.first - group.first,
+            parts_.push_back({bytes_, bytes_ + inverse * tile, own, rows, loads, nodes + supernode.first - group.first,
                               static_cast<int>(slots_.size()), 0, 0});
             for (int i = 0; i < supernode.rows; ++i) slots_.push_back(slot(g, dissection_.rows[supernode.rows_begin + i]));
-            lines += (inverse + own * rows) * lines_per_tile;
+            bytes_ += (inverse + own * rows) * tile;
             loads += own;
             most = std::max(most, own + rows + 1);    // expand() reads beyond the last
         }
         nodes += group.size + group.outside;
         scratch += most;
     }
-    blocks_.resize(lines);
+    blocks_ = LargePages(bytes_);
     loads_.resize(loads);
     nodes_.resize(nodes);
     scratch_.resize(scratch);
@@ -179,8 +178,8 @@ void Panels::pack(const Factor& factor) {
         const MatrixX inverse = own.asDiagonal() * factor.inverse(s) * own.asDiagonal();
         const MatrixX below = rows.asDiagonal() * factor.below(s) * own.asDiagonal();
         const Part& part = parts_[s];
-        void* const to_inverse = blocks_.data() + part.inverse;
-        void* const to_below = blocks_.data() + part.below;
+        void* const to_inverse = blocks_.at(part.inverse);
+        void* const to_below = blocks_.at(part.below);
         if (storage_ == Storage::half) {
             put_blocks<Eigen::half>(inverse, below, part.own_tiles, part.row_tiles, to_inverse, to_below);
         } else {
@@ -219,7 +218,7 @@ void Panels::sweep(int g, const Float4* rhs) {
         compact(
             &nodes_[part.nodes], supernode.size, [](int i) { return i; }, loads(part));
         std::fill_n(rows, part.row_tiles * lanes, 0.0F);
-        products_.general(blocks_.data() + part.below, part.row_tiles, part.own_tiles, loads(part), rows);
+        products_.general(blocks_.at(part.below), part.row_tiles, part.own_tiles, loads(part), rows);
         const int* const slots = slots_.data() + part.slots;
         for (int i = 0; i < supernode.rows; ++i) quad(nodes_[slots[i]]) -= expand(rows + 3 * i);
     }
@@ -229,7 +228,7 @@ void Panels::multiply(const Share& s) {
     const Part& part = parts_[s.supernode];
     float* const answer = reinterpret_cast<float*>(answers_.data() + s.answer);
     std::fill_n(answer, part.own_tiles * lanes, 0.0F);
-    products_.symmetric(blocks_.data() + part.inverse, part.own_tiles, s.first, s.last, loads(part), answer);
+    products_.symmetric(blocks_.at(part.inverse), part.own_tiles, s.first, s.last, loads(part), answer);
 }
 
 void Panels::substitute(int g, Float4* x) {
@@ -247,13 +246,13 @@ void Panels::substitute(int g, Float4* x) {
         std::fill(rows + 3 * supernode.rows, own, 0.0F);
         std::fill_n(own, part.own_tiles * lanes, 0.0F);
         if (part.shares == 0) {
-            products_.symmetric(blocks_.data() + part.inverse, part.own_tiles, 0, part.own_tiles, loads(part), own);
+            products_.symmetric(blocks_.at(part.inverse), part.own_tiles, 0, part.own_tiles, loads(part), own);
         }
         for (int i = part.begin; i < part.begin + part.shares; ++i) {
             const float* const answer = reinterpret_cast<const float*>(answers_.data() + shares_[i].answer);
             for (int k = 0; k < part.own_tiles * lanes; ++k) own[k] += answer[k];
         }
-        products_.transposed(blocks_.data() + part.below, part.row_tiles, part.own_tiles, rows, own);
+        products_.transposed(blocks_.at(part.below), part.row_tiles, part.own_tiles, rows, own);
         for (int i = 0; i < supernode.size; ++i) quad(nodes_[part.nodes + i]) = expand(own + 3 * i);
     }
     for (int i = 0; i < room.size; ++i) x[group.first + i] = scaled(scale_[group.first + i], nodes_[room.nodes + i]);

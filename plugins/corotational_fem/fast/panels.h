@@ -4,6 +4,7 @@
 #include "fast/factor.h"
 #include "fast/kernels.h"
 #include "fast/lanes.h"
+#include "fast/large_pages.h"
 
 #include <stylet/workers.h>
 
@@ -48,7 +49,7 @@ public:
     void backward(Float4* x, Workers& workers);
 
     [[nodiscard]] const Dissection& dissection() const { return dissection_; }
-    [[nodiscard]] std::size_t bytes() const { return blocks_.size() * sizeof(Line); }    // of the blocks
+    [[nodiscard]] std::size_t bytes() const { return bytes_; }    // of the blocks
     [[nodiscard]] Storage storage() const { return storage_; }
 
 private:
@@ -60,7 +61,7 @@ private:
 
     // Where the parts of a supernode lie.
     struct Part {
-        std::size_t inverse, below;    // [lines] in blocks_
+        std::size_t inverse, below;    // [bytes] in blocks_
         int own_tiles, row_tiles;
         int load;             // [lines] in loads_
         int nodes;            // where its own nodes begin in nodes_
@@ -96,7 +97,8 @@ private:
     Storage storage_;
     const PanelKernels& kernels_;
     const PanelProducts& products_;
-    std::vector<Line> blocks_;
+    std::size_t bytes_ = 0;
+    LargePages blocks_;
     std::vector<float> scale_;    // C of each place
     std::vector<Part> parts_;     // of each supernode
     std::vector<Room> rooms_;     // of each group

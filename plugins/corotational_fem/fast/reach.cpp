@@ -64,8 +64,8 @@ void Reach::climb(const Stop& stop) {
     std::fill_n(answers(stop.at), 3 * stop.lines * lanes, 0.0F);
     std::fill_n(rows, 3 * part.row_tiles * lanes, 0.0F);
     const PanelProducts& products = panels_.products_;
-    products.symmetric_of_three(panels_.blocks_.data() + part.inverse, part.own_tiles, loads(stop.at), answers(stop.at));
-    products.general_of_three(panels_.blocks_.data() + part.below, part.row_tiles, part.own_tiles, loads(stop.at), rows);
+    products.symmetric_of_three(panels_.blocks_.at(part.inverse), part.own_tiles, loads(stop.at), answers(stop.at));
+    products.general_of_three(panels_.blocks_.at(part.below), part.row_tiles, part.own_tiles, loads(stop.at), rows);
     for (int i = 0; i < supernode.rows; ++i) {
         const int place = d.rows[supernode.rows_begin + i];
         const Stop& above = path_[stop_[d.supernode[place]]];
