@@ -12,6 +12,7 @@ namespace {
 // Contraction: each iteration leaves at most about a tenth where the tissue turns little, which can't be measured where there is
 // one iteration only. Where inertia rules, what is left of the residual tells better: there a third of it is an error's share.
 constexpr double least_contraction = 0.1;
+constexpr double greatest_contraction = 0.9;
 constexpr double residual_share = 3.0;
 
 // With another time step than the factor's, iterations leave something of each mode, which adds up from step to step.
@@ -193,8 +194,9 @@ bool QuasiNewton::enough(const Step& step) {
     if (measured) trial_.contraction = length / last_step_;
     last_step_ = length;
     if (motion_.implicit && step_length() != motion_.dt) return enough_elsewhere(length, measured);
-    const double left =
-        std::min(std::max(trial_.contraction, least_contraction), residual_share * residual_size_ / step.residual);
+    const double contraction = std::max(trial_.contraction, least_contraction);
+    double left = contraction / (1.0 - std::min(contraction, greatest_contraction));    // of all steps to come
+    if (motion_.implicit) left = std::min(left, residual_share * residual_size_ / step.residual);
     return length <= resolution * size_ || (step.fraction == 1.0 && length * left <= accuracy_ * size_);
 }
 
