@@ -19,10 +19,10 @@ namespace {
 constexpr double supernode_cost = 2.0;    // [tiles]
 constexpr double below_cost = 1.7;        // [tiles]
 
-// A group is a task, and each should be worth sharing.
-constexpr double largest_half = 0.6;     // of the whole cost: what one group of the middle stage and all below it may cost
-constexpr double largest_task = 0.06;    // of the whole cost: what a group of the first stage may
-constexpr double least = 0.01;           // of the whole cost: a smaller subtree goes with its parent
+// Of the whole cost, how much a group and all below it may come to: in the first stage, where each group is a task of many, and
+// in the next ones, where there are fewer and fewer. A smaller subtree than the least goes with its parent.
+constexpr std::array largest{0.06, 0.3, 0.6};
+constexpr double least = 0.01;
 
 int tiles(int nodes) {
     return (3 * nodes + lanes - 1) / lanes;
@@ -130,15 +130,15 @@ void gather(const Tree& tree, int root, std::vector<int>& into) {
     for (const int child : tree.branches[root].children) gather(tree, child, into);
 }
 
-// Replaces the dearest of these subtrees by its children until none costs more than `largest`, and takes out those of less than
+// Replaces the dearest of these subtrees by its children until none costs more than `most`, and takes out those of less than
 // `smallest`; returns the branches that went.
-std::vector<int> split(const Tree& tree, std::vector<int>& subtrees, double largest, double smallest) {
+std::vector<int> split(const Tree& tree, std::vector<int>& subtrees, double most, double smallest) {
     std::vector<int> removed;
     const auto cheaper = [&](int a, int b) { return tree.branches[a].total < tree.branches[b].total; };
     while (!subtrees.empty()) {
         const auto dearest = std::max_element(subtrees.begin(), subtrees.end(), cheaper);
         const Branch& branch = tree.branches[*dearest];
-        if (branch.children.empty() || branch.total <= largest) break;
+        if (branch.children.empty() || branch.total <= most) break;
         removed.push_back(*dearest);
         subtrees.erase(dearest);
         subtrees.insert(subtrees.end(), branch.children.begin(), branch.children.end());
@@ -150,23 +150,32 @@ std::vector<int> split(const Tree& tree, std::vector<int>& subtrees, double larg
     return removed;
 }
 
-// The branches of each group, in three stages: many subtrees, what ties those of one half together, and what ties the halves.
-std::array<std::vector<std::vector<int>>, 3> stages(const Tree& tree) {
+using Stages = std::array<std::vector<std::vector<int>>, largest.size() + 1>;    // the branches of each group
+
+// These subtrees and what ties them together, which are of this stage and earlier ones.
+void add_groups(const Tree& tree, std::vector<int> subtrees, double whole, std::size_t stage, Stages& stages) {
+    if (stage == 0) {
+        for (const int subtree : subtrees) gather(tree, subtree, stages[0].emplace_back());
+        return;
+    }
+    stages[stage].push_back(split(tree, subtrees, largest[stage - 1] * whole, least * whole));
+    if (stage == 1) {
+        add_groups(tree, subtrees, whole, 0, stages);
+    } else {
+        for (const int subtree : subtrees) add_groups(tree, {subtree}, whole, stage - 1, stages);
+    }
+}
+
+Stages groups(const Tree& tree) {
     double whole = 0.0;
     for (const int root : tree.roots) whole += tree.branches[root].total;
-    std::array<std::vector<std::vector<int>>, 3> result;
-    std::vector<int> halves = tree.roots;
-    result[2].push_back(split(tree, halves, largest_half * whole, least * whole));
-    for (const int half : halves) {
-        std::vector<int> subtrees{half};
-        result[1].push_back(split(tree, subtrees, largest_task * whole, least * whole));
-        for (const int subtree : subtrees) gather(tree, subtree, result[0].emplace_back());
-    }
-    for (std::vector<std::vector<int>>& stage : result) {
+    Stages stages;
+    add_groups(tree, tree.roots, whole, largest.size(), stages);
+    for (std::vector<std::vector<int>>& stage : stages) {
         std::erase_if(stage, [](const std::vector<int>& group) { return group.empty(); });
         for (std::vector<int>& group : stage) std::sort(group.begin(), group.end());
     }
-    return result;
+    return stages;
 }
 
 // Gives a branch the next places.
@@ -219,7 +228,7 @@ Dissection dissect(const BlockMatrix& matrix) {
     d.place.resize(matrix.rows());
     std::vector<int> row_at(matrix.rows()), place_of_column(matrix.rows()), order;
     for (int row = 0; row < matrix.rows(); ++row) row_at[first_order[row]] = row;
-    for (const std::vector<std::vector<int>>& stage : stages(tree)) {
+    for (const std::vector<std::vector<int>>& stage : groups(tree)) {
         for (const std::vector<int>& group : stage) {
             const int begin = static_cast<int>(d.supernodes.size()), first = d.places();
             for (const int branch : group) place(tree.branches[branch], row_at, d, place_of_column);
