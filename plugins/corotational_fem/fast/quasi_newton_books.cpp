@@ -50,10 +50,11 @@ void QuasiNewton::close_books() {
     });
     trial_.kinetic = motion_.implicit && trial_.dt > 0.0 ? 0.5 * twice_kinetic / (trial_.dt * trial_.dt) : 0.0;
     trial_.weight = trial_.weight_before - fallen;
-    const double damped = trial_.dissipated - origin_.dissipated;
-    trial_.damping = origin_.damping + damped;
+    const double lost = trial_.dissipated - origin_.dissipated;
+    trial_.damping = origin_.damping + lost;
+    if (!motion_.implicit && !damped()) return;    // nothing is integrated
     trial_.numerical =
-        origin_.numerical + 0.5 * twice_work - damped - (trial_.elastic - origin_.elastic) - (trial_.kinetic - origin_.kinetic);
+        origin_.numerical + 0.5 * twice_work - lost - (trial_.elastic - origin_.elastic) - (trial_.kinetic - origin_.kinetic);
 }
 
 EnergyReport QuasiNewton::energy() const {
