@@ -21,6 +21,11 @@ double radius_of(const Setup& setup) {
     return setup.needle == nullptr ? 0.0 : setup.needle->radius;
 }
 
+std::optional<RegionsFelt> regions_of(const Setup& setup, const Mesh& mesh, const Locator& locator) {
+    if (!setup.parameters.has("mesh")) return std::nullopt;
+    return RegionsFelt(mesh, locator, setup.tissue->layers, radius_of(setup));
+}
+
 }    // namespace
 
 CorotationalFem::CorotationalFem(const Setup& setup)
@@ -29,7 +34,8 @@ CorotationalFem::CorotationalFem(const Setup& setup)
       materials_(materials_of(setup_)),
       locator_(mesh_),
       spread_(mesh_, radius_of(setup)),
-      near_field_(setup_, spread_),
+      regions_(regions_of(setup, mesh_, locator_)),
+      near_field_(setup_, spread_, regions_ ? &*regions_ : nullptr),
       solver_(solver_of(setup, mesh_, materials_)),
       free_(3 * max_contacts),
       moved_(3 * max_contacts),
@@ -125,7 +131,7 @@ Location CorotationalFem::locate(const Vector3& material) const {
 }
 
 const char* CorotationalFem::beyond_validity() const {
-    if (state_.spare <= 0.0) return "beyond validity: the dent is deeper than the tissue is thick";
+    if (state_.spare <= 0.0) return "beyond validity: the tip is pressed through the tissue's bottom";
     return solver_->inverted() ? "beyond validity: a tetrahedron is turned inside out" : nullptr;
 }
 
@@ -145,5 +151,7 @@ STYLET_PLUGIN(
         "stiffness alone; the needle's own size by Mindlin's solution",
     .validity =
         "Large rotations, stretches of some tens of percent (stress is linear in them), isotropic layers. A pressure a "
-        "tetrahedron locks where Poisson's ratio nears 0.5. quasi_newton is off by about `accuracy` of the displacements a step, "
-        "newton by nothing and is too slow for a hand. The tissue doesn't touch itself, and a needle's track doesn't open")
+        "tetrahedron locks where Poisson's ratio nears 0.5. quasi_newton is off by about `accuracy` of the displacements a step "
+        "and a few times that over a swing, far more under a stiff layer on one a million times as soft; "
+        "newton by nothing and is too slow for a hand. Within two cells of a side or of the bottom a needle feels a half-space. "
+        "The tissue doesn't touch itself, and a needle's track doesn't open")

@@ -10,6 +10,7 @@
 #include <stylet/tissue_model.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace stylet::corotational_fem {
@@ -61,6 +62,7 @@ private:
     Locator locator_;
     LoadedNodes loaded_;
     Spread spread_;
+    std::optional<RegionsFelt> regions_;    // of a mesh from a file
     NearField near_field_;
     std::unique_ptr<Solver> solver_;
     std::vector<ContactPoint> placed_;    // as the solver and the near field know them

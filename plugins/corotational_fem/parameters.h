@@ -21,8 +21,9 @@ inline constexpr Parameter parameters[] = {
                     "viscous stress is this times the elastic stress of the strain's rate; left out, the tissue damps nothing")),
     choice("solver", "newton quasi_newton",
            "newton: to the last digit in double precision, slowly; quasi_newton: to `accuracy`, fast"),
-    optional(number("accuracy", "1", {.least = 1e-5, .greatest = 0.1},
-                    "of the displacements, what quasi_newton may be off by; wanted with it")),
+    optional(
+        number("accuracy", "1", {.least = 1e-5, .greatest = 0.1},
+               "of the displacements, what quasi_newton aims at in each step: over a swing a few times as much; wanted with it")),
 };
 
 }    // namespace stylet::corotational_fem

@@ -39,7 +39,7 @@ public:
     Solver& operator=(const Solver&) = delete;
     virtual ~Solver() = default;
 
-    /// The loads at the end of every step from the next predict on; each call replaces the last.
+    /// The loads at the end of every step from the next predict on; each call replaces the last, and rollback leaves it.
     virtual void load(std::span<const NodeForce> forces) = 0;
 
     /// Contact i acts on these nodes from now on.

@@ -9,7 +9,7 @@
 // `tick` is all of a tick, predict to commit.
 //
 // The last table says what the mesh itself is off by, the solver aside: inner displacements once settled, against the finest mesh
-// with a pressure a patch.
+// run, with a pressure a patch.
 
 #include "core/loading/cast.h"
 #include "core/run/patch_loads.h"
@@ -19,9 +19,11 @@
 #include <fmt/format.h>
 
 #include <malloc.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -48,9 +50,12 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-double allocated() {    // [MB]
-    const auto info = mallinfo2();
-    return static_cast<double>(info.uordblks + info.hblkhd) * 1e-6;
+double resident() {    // [MB] of the process's memory that is in use
+    malloc_trim(0);
+    std::ifstream status("/proc/self/statm");
+    double size = 0.0, pages = 0.0;
+    status >> size >> pages;
+    return pages * static_cast<double>(sysconf(_SC_PAGESIZE)) * 1e-6;
 }
 
 /// The nodes of a block of equal cells.
@@ -74,11 +79,11 @@ class TissueRun {
 public:
     TissueRun(const std::string& name, const std::vector<Override>& overrides, const PluginFolders& folders, Workers& workers)
         : scene_(read_scene(std::string(STYLET_SCENES) + "/validation/" + name + ".yaml", overrides, folders)),
-          before_(allocated()),
+          before_(resident()),
           start_(Clock::now()),
           cast_(scene_, folders, workers),
           load_time_(seconds_since(start_)),
-          memory_(allocated() - before_),
+          memory_(resident() - before_),
           loads_(cast_.effects(), cast_.tissue()) {}
 
     /// Returns how many trial steps it took.
@@ -268,8 +273,9 @@ void mesh_table(const PluginFolders& folders, int most_cells) {
             const auto off = [&](const char* pressure) {
                 return 100.0 * (settled(block, poisson_ratio, pressure, folders) - truth).norm() / truth.norm();
             };
-            fmt::print("{:>7} {:>5} {:>24.2f} {:>18.2f}\n", 6 * block.cells[0] * block.cells[1] * block.cells[2], poisson_ratio,
-                       off("tetrahedron"), off("patch"));
+            const std::string cured = &block == &finest ? "-" : fmt::format("{:.2f}", off("patch"));
+            fmt::print("{:>7} {:>5} {:>24.2f} {:>18}\n", 6 * block.cells[0] * block.cells[1] * block.cells[2], poisson_ratio,
+                       off("tetrahedron"), cured);
             std::fflush(stdout);
         }
     }
@@ -278,7 +284,12 @@ void mesh_table(const PluginFolders& folders, int most_cells) {
 }    // namespace
 
 int main(int count, char** arguments) {
-    const int most_cells = count > 1 ? std::stoi(arguments[1]) : 1000;    // along x
+    const int most_cells = count > 1 ? std::atoi(arguments[1]) : 1000;    // along x
+    if (most_cells < blocks[0].cells[0]) {
+        fmt::print(stderr, "found {} cells, wanted at least the {} along x of the smallest mesh\n", most_cells,
+                   blocks[0].cells[0]);
+        return 1;
+    }
     const PluginFolders folders = PluginFolders::standard();
     WorkerPool pool(2, std::nullopt);
     contact_table(folders, pool);

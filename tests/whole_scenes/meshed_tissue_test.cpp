@@ -88,7 +88,28 @@ TEST(MeshedTissue, IsTheSameInSinglePrecisionAndInDouble) {
     }
     measured("single_against_double", worst, "N");
     measured("books_in_double", exact.relative);
+    // The rupture itself, whose ticks the comparison of forces leaves out, by what it leaves behind.
+    const core::Sample &one = single.samples.back(), &other = exact.samples.back();
+    measured("burst_in_single", one.burst, "J");
+    measured("burst_in_double", other.burst, "J");
+    EXPECT_NEAR(one.burst, other.burst, accuracy * other.burst);
+    EXPECT_NEAR(one.friction + one.released, other.friction + other.released, accuracy * other.friction);
     EXPECT_LE(worst, accuracy * exact.peak_hand_force());
+}
+
+TEST(MeshedTissue, CreepsWithoutLosingEnergyFromTheBooks) {
+    const Trace trace = play(paper_scene("fig10a_l150"), {meshed, own("cells", "[6, 6, 3]"), own("damping_time", "100 ms")});
+    measured("damping", trace.samples.back().damping, "J");
+    measured("books", trace.relative);
+    EXPECT_GT(trace.samples.back().damping, 0.0);
+    expect_sound(trace);
+}
+
+TEST(MeshedTissue, ReadsAMeshWithAHardBallInIt) {
+    const Trace trace = play(std::filesystem::path(SCENE_FOLDER) / "meshed/stiff_ball.yaml");
+    print_events(trace);
+    EXPECT_EQ(trace.count("crossed an interface"), 2u) << "into the ball and out of it";
+    expect_sound(trace);
 }
 
 // Hard case 10. The tip is a rigid punch on a half-space: F = 2aE*δ, and the needle as good as rigid beside the tissue.

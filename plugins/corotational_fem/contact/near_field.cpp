@@ -28,8 +28,9 @@ Matrix3 mean_over(const A& a, const B& b, const Function& function) {
 
 }    // namespace
 
-NearField::NearField(const TissueSetup& tissue, const Spread& spread)
+NearField::NearField(const TissueSetup& tissue, const Spread& spread, const RegionsFelt* regions)
     : elasticity_(tissue.layers, spread.needle_radius()),
+      regions_(regions),
       spread_(spread),
       compliance_(MatrixX::Zero(3 * max_contacts + column_padding, 3 * max_contacts)) {
     const ContactPoint surface{.material = Vector3::Zero(), .span = Vector3::Zero(), .arclength = 0.0, .tip = true};
@@ -43,10 +44,15 @@ NearField::Placed NearField::placed(const ContactPoint& point) const {
     for (int b = 0; b < placed.balls.count; ++b)
         placed.loads[b] = GaussianLoad(placed.balls.centres[b], placed.balls.radius / deviations);
     placed.length = point.span.norm();
-    const double depth = -placed.footprint.middle().z();
-    placed.poisson_ratio = elasticity_.poisson_ratio(depth);
-    placed.weight = 1.0 / std::sqrt(elasticity_.modulus(depth));
+    const Felt felt = felt_at(placed.footprint.middle());
+    placed.poisson_ratio = felt.poisson_ratio;
+    placed.weight = 1.0 / std::sqrt(felt.youngs_modulus);
     return placed;
+}
+
+Felt NearField::felt_at(const Vector3& point) const {
+    if (regions_ != nullptr) return regions_->at(point);
+    return {elasticity_.modulus(-point.z()), elasticity_.poisson_ratio(-point.z())};
 }
 
 void NearField::place(int contact, const ContactPoint& point) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/gaussian_load.h"
+#include "contact/regions_felt.h"
 #include "contact/spread.h"
 
 #include <stylet/footprint.h>
@@ -32,8 +33,8 @@ namespace stylet::corotational_fem {
 /// strain.
 class NearField {
 public:
-    /// Both must outlive it.
-    NearField(const TissueSetup& tissue, const Spread& spread);
+    /// All must outlive it. `regions` say what is where in a mesh from a file; none: the tissue's layers are stacked.
+    NearField(const TissueSetup& tissue, const Spread& spread, const RegionsFelt* regions = nullptr);
 
     /// Contact i is there from now on. One that was there already costs nothing.
     void place(int contact, const ContactPoint& point);
@@ -61,12 +62,14 @@ private:
     };
 
     [[nodiscard]] Placed placed(const ContactPoint& point) const;
+    [[nodiscard]] Felt felt_at(const Vector3& point) const;
     [[nodiscard]] static Matrix3 meshed(const Placed& i, const Placed& j);
     [[nodiscard]] Matrix3 block(const Placed& i, const Placed& j) const;
     [[nodiscard]] Matrix3 own_block(const Placed& i) const;
     void fill(int row, int count);
 
     LayeredElasticity elasticity_;
+    const RegionsFelt* regions_;
     const Spread& spread_;
     std::vector<Placed> placed_;
     int known_ = 0;    // how many contacts, from the first, C is filled for

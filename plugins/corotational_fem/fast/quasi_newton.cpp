@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace stylet::corotational_fem {
 
@@ -16,6 +17,12 @@ constexpr int most_iterations = 10;
 
 // Of the accuracy: what forces that another linearisation corrects may leave undone.
 constexpr double negligible = 1e-3;
+// Of a tissue that comes to rest: numbers too small for the processor to be quick with.
+constexpr float nothing = 1e-20F;    // [m]
+// A contact may end so far beside where its force was found for: what that leaves of work is nothing in the books, and single
+// precision knows its place no better.
+constexpr double beside_contact = 1e-8;    // [m]
+constexpr double beside_share = 1e-6;      // of its displacement
 
 bool has_mass(const Motion& motion) {
     return motion.implicit || !motion.gravity.isZero(0.0);
@@ -86,6 +93,7 @@ QuasiNewton::QuasiNewton(const Mesh& mesh, std::span<const Material> materials, 
       residual_(nodes_),
       before_(nodes_),
       q_(nodes_ + 1),
+      foreseen_(VectorX::Zero(3 * max_contacts)),
       changed_(3 * max_contacts),
       moved_(3 * max_contacts),
       answer_(nodes_ + 1),
@@ -132,6 +140,7 @@ void QuasiNewton::gather_loads() {
 void QuasiNewton::place(int contact, std::span<const NodeWeight> footprint) {
     contacts_.place(contact, footprint);
     ahead_known_ = false;
+    placed_anew_ = true;
     const auto first = trial_.lambda.begin() + 3 * contact;
     if (std::any_of(first, first + 3, [](double force) { return force != 0.0; })) trial_.settled = outer_known_ = false;
 }
@@ -148,6 +157,7 @@ void QuasiNewton::start_step(double dt) {
     const float ahead = trial_.dt > 0.0 ? static_cast<float>(dt / trial_.dt) : 0.0F;
     loops_.each([&](int i) {
         Quad& moved = quad(trial_.moved[i]);
+        moved = ((moved > nothing) | (moved < -nothing)) ? moved : Quad{};
         reinterpret_cast<DoubleQuad&>(trial_.from[i]) += __builtin_convertvector(moved, DoubleQuad);
         quad(trial_.coasting[i]) = ahead * moved;
         moved = Quad{};
@@ -213,11 +223,11 @@ bool QuasiNewton::same_to_accuracy(std::span<const double> lambda) {
 }
 
 StepReport QuasiNewton::try_step(Forces forces) {
+    // What single precision can't hold would stay in the solver's memory for good.
+    if (!forces.cast<float>().allFinite()) return {.residual = std::numeric_limits<double>::infinity()};
     const std::span<const double> lambda(forces.data(), static_cast<std::size_t>(forces.size()));
     if (trial_.settled && same_to_accuracy(lambda)) {
-        std::copy(lambda.begin(), lambda.end(), trial_.lambda.begin());
-        outer_known_ = false;
-        return {};
+        return {};    // λ stays what the state is in balance with, so that many such changes add up to one that counts
     }
     if (ahead_known_ && !trial_.settled && lambda.size() == static_cast<std::size_t>(3 * trial_.contacts)) {
         if (!std::equal(lambda.begin(), lambda.end(), trial_.lambda.begin())) redirect(lambda);
@@ -226,14 +236,37 @@ StepReport QuasiNewton::try_step(Forces forces) {
         if (trial_.settled) return {};
     }
     if (!ahead_known_) balance();
+    const bool foreseen = ahead_known_;
+    if (foreseen) foresee();
     last_step_ = 0.0;
     for (int i = 0; i < most_iterations && !trial_.settled; ++i) trial_.settled = iterate();
     close_books();
-    return {.residual = trial_.settled ? 0.0 : imbalance()};
+    if (!trial_.settled) return {.residual = imbalance()};
+    return {.residual = foreseen ? astray() : 0.0};
+}
+
+// Where the forces on the contacts were found to bring them.
+void QuasiNewton::foresee() {
+    for (int i = 0; i < trial_.contacts; ++i) foreseen_.segment<3>(3 * i) = contacts_.mean(i, x_) + contacts_.mean(i, ahead_);
+}
+
+// The tissue is in balance under these forces, but they were found for contacts elsewhere: zero where they ended as foreseen,
+// else what it would take to bring them there [N].
+double QuasiNewton::astray() {
+    double greatest = 0.0;
+    const auto& compliance = contacts_.compliance(trial_.contacts);
+    for (int i = 0; i < trial_.contacts; ++i) {
+        const Vector3 there = foreseen_.segment<3>(3 * i);
+        const double beside = (contacts_.mean(i, x_) - there).norm();
+        if (beside <= beside_contact + beside_share * there.norm()) continue;
+        greatest = std::max(greatest, beside / compliance(3 * i + 2, 3 * i + 2));
+    }
+    return greatest;
 }
 
 void QuasiNewton::commit() {
     state_ = trial_;
+    placed_anew_ = false;
     pairs_.commit();
 }
 
@@ -241,6 +274,9 @@ void QuasiNewton::rollback() {
     trial_ = state_;
     pairs_.rollback();
     ahead_known_ = outer_known_ = false;
+    if (placed_anew_) trial_.settled = false;
+    placed_anew_ = false;
+    std::fill(ahead_.begin(), ahead_.end(), Float4{});
     if (damped()) start_damper(q_);
     move(0.0F);
 }

@@ -120,6 +120,8 @@ private:
     [[nodiscard]] double answer_scale() const;    // [1] by which the factor's answers are taken
     [[nodiscard]] float inertia() const;          // [1/s²] 1/dt²
     [[nodiscard]] double imbalance() const;
+    void foresee();
+    [[nodiscard]] double astray();
 
     Motion motion_;
     double accuracy_;
@@ -141,12 +143,15 @@ private:
     bool outer_known_ = false;
     NodalVector residual_, before_, q_;    // [N] of the trial state, of the one before, and what the factor is asked
     double residual_size_ = 0.0;           // [√J] each node's by its stiffness
+    VectorX foreseen_;                     // 3n, [m] displacements of the contacts that their forces were found for
     VectorX changed_, moved_;              // [N], [m] of contacts
     NodalVector answer_;                   // [m] of the factor alone to q_
     NodalVector ahead_;                    // [m] H r
     bool ahead_known_ = false;
-    double size_ = 0.0;         // [m] of the displacements
-    double last_step_ = 0.0;    // [m] of this time step's iteration before, zero in the first
+    double size_ = 0.0;           // [m] of the displacements
+    bool placed_anew_ = false;    // a contact, since the last commit
+    double noise_ = 0.0;          // [m] steps shorter than this are single precision's
+    double last_step_ = 0.0;      // [m] of this time step's iteration before, zero in the first
     long long iterations_ = 0;
 };
 

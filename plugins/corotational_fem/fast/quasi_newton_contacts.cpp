@@ -2,15 +2,9 @@
 
 namespace stylet::corotational_fem {
 
-namespace {
-
-constexpr int usual_footprint = 256;    // nodes, more than a needle touches
-
-}    // namespace
-
 Contacts::Contacts(Panels& panels)
     : dissection_(panels.dissection()), placed_(max_contacts), compliance_(MatrixX::Zero(3 * max_contacts, 3 * max_contacts)) {
-    for (Placed& placed : placed_) placed.footprint.reserve(usual_footprint);
+    for (Placed& placed : placed_) placed.footprint.reserve(panels.dissection().place_of_node.size());
     reaches_.reserve(max_contacts);
     for (int i = 0; i < max_contacts; ++i) reaches_.emplace_back(panels);
 }

@@ -20,6 +20,8 @@ constexpr double strictness = 0.1;
 
 // Single precision: steps below this part of the displacements are its noise.
 constexpr double resolution = 1e-5;
+// A tissue let go comes back to nothing, and single precision knows no better where that is than by this part of its way.
+constexpr double move_resolution = 1e-6;
 // Of a pair's step: noise is less than a tenth of what it teaches.
 constexpr double least_lesson = 1e-4;
 // Of the curvature along a step, by what was known before: a pair beyond these is of a tissue that buckles, or of noise.
@@ -47,15 +49,17 @@ void QuasiNewton::start_damper(NodalVector& forces) {
 
 // Further along ahead_, and where that is in single precision.
 void QuasiNewton::move(float fraction) {
-    const auto squared = loops_.sums<1>([&](int i, auto& sums) {
+    const auto squared = loops_.sums<2>([&](int i, auto& sums) {
         Quad& moved = quad(trial_.moved[i]);
         moved += fraction * quad(ahead_[i]);
         const DoubleQuad from = reinterpret_cast<const DoubleQuad&>(trial_.from[i]);
         const Quad at = __builtin_convertvector(from + __builtin_convertvector(moved, DoubleQuad), Quad);
         quad(x_[i]) = at;
         sums[0] += at * at;
+        sums[1] += moved * moved;
     });
     size_ = std::sqrt(squared[0]);
+    noise_ = resolution * size_ + move_resolution * std::sqrt(squared[1]);
 }
 
 // What the trial displacements say, whatever acts from outside.
@@ -128,8 +132,8 @@ bool QuasiNewton::iterate() {
     }
     if (next < step.fraction) {
         go(step, 0.0);
-        // The factor alone points downhill: where there is no downhill, single precision ends.
-        if (pairs_.count() == 0) return true;
+        // The factor alone points downhill: where there is no downhill within the accuracy, single precision ends.
+        if (pairs_.count() == 0) return std::sqrt(step.squared) <= accuracy_ * size_;
         pairs_.forget();
         return false;
     }
@@ -197,7 +201,7 @@ bool QuasiNewton::enough(const Step& step) {
     const double contraction = std::max(trial_.contraction, least_contraction);
     double left = contraction / (1.0 - std::min(contraction, greatest_contraction));    // of all steps to come
     if (motion_.implicit) left = std::min(left, residual_share * residual_size_ / step.residual);
-    return length <= resolution * size_ || (step.fraction == 1.0 && length * left <= accuracy_ * size_);
+    return length <= noise_ || (step.fraction == 1.0 && length * left <= accuracy_ * size_);
 }
 
 // With another time step than the factor's. What is left then is all the steps to come.
@@ -206,7 +210,7 @@ bool QuasiNewton::enough_elsewhere(double length, bool measured) const {
     const double slowest = std::max(0.0, 1.0 - ratio * ratio);
     const double contraction = std::clamp(measured ? trial_.contraction : std::max(trial_.contraction, slowest), 0.5, 0.999);
     const double left = contraction / (1.0 - contraction);
-    return length <= strictness * resolution * size_ || length * left <= strictness * accuracy_ * size_;
+    return length <= strictness * noise_ || length * left <= strictness * accuracy_ * size_;
 }
 
 double QuasiNewton::imbalance() const {

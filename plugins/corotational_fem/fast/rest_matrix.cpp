@@ -126,9 +126,10 @@ BlockMatrix rest_matrix(const Mesh& mesh, std::span<const Material> materials, c
     for (const Volume& group : groups) {
         if (group.volume > 0.0) add_pressure(a, group);
     }
+    if (motion.damping_time > 0.0) {
+        for (Matrix3& block : a.block) block *= 1.0 + motion.damping_time / motion.dt;
+    }
     if (!motion.implicit) return a;
-
-    for (Matrix3& block : a.block) block *= 1.0 + motion.damping_time / motion.dt;
     for (int e = 0; e < mesh.size(); ++e) {
         const double mass = shapes[e].volume * materials[mesh.layers[e]].density / 4.0;    // [kg]
         for (const int node : mesh.tetrahedra[e]) add(a, node, node, mass / (motion.dt * motion.dt) * Matrix3::Identity());

@@ -54,9 +54,9 @@ void Complaints::throw_any(const std::string& key) const {
     if (kinds_.empty()) return;
     std::string message;
     for (const Kind& kind : kinds_) {
-        message += (message.empty() ? "found " : "\nfound ") + kind.name + ":";
-        for (const std::string& one : kind.first) message += "\n  " + one;
-        if (kind.count > most_listed) message += "\n  and " + std::to_string(kind.count - most_listed) + " more";
+        message += (message.empty() ? "found " : "; found ") + kind.name + ": ";
+        for (const std::string& one : kind.first) message += (&one == &kind.first.front() ? "" : ", ") + one;
+        if (kind.count > most_listed) message += " and " + std::to_string(kind.count - most_listed) + " more";
     }
     throw Error(key, message);
 }

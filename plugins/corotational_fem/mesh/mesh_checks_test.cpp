@@ -59,8 +59,8 @@ TEST(MeshChecks, RefusesASliverOfATenthOfADegree) {
     const std::string found = refusal_of(pyramid(height));
     expect_says(
         found,
-        "found slivers, wanted no angle between faces below 0.5 degrees and no longest edge over least height above 1000:\n"
-        "  tetrahedron 0 (nodes 0, 1, 2, 3)");
+        "found slivers, wanted no angle between faces below 0.5 degrees and no longest edge over least height above 1000: "
+        "tetrahedron 0 (nodes 0, 1, 2, 3)");
     expect_says(found, "m has 0.1 degrees and 1984.");
 }
 
@@ -83,8 +83,8 @@ TEST(MeshChecks, NamesAnInvertedTetrahedronByItsTags) {
     mesh.fixed.push_back(0);
     mesh.tetrahedra.push_back({1, 2, 4, 3});
     expect_says(refusal_of(mesh, {.nodes = {10, 20, 30, 40, 50}, .tetrahedra = {7, 8}}),
-                "found inverted tetrahedra, wanted nodes in right-handed order:\n"
-                "  tetrahedron 8 (nodes 20, 30, 50, 40) at (0.5, 0.5, 0.5) m has a volume of -0.333333 m^3");
+                "found inverted tetrahedra, wanted nodes in right-handed order: "
+                "tetrahedron 8 (nodes 20, 30, 50, 40) at (0.5, 0.5, 0.5) m has a volume of -0.333333 m^3");
 }
 
 TEST(MeshChecks, KnowsAMirroredMesh) {
@@ -94,7 +94,7 @@ TEST(MeshChecks, KnowsAMirroredMesh) {
 }
 
 TEST(MeshChecks, RefusesAFlatTetrahedron) {
-    expect_says(refusal_of(pyramid(0.0)), "found flat tetrahedra, wanted some volume in each:\n  tetrahedron 0");
+    expect_says(refusal_of(pyramid(0.0)), "found flat tetrahedra, wanted some volume in each: tetrahedron 0");
     expect_says(refusal_of(pyramid(1e-14)), "found flat tetrahedra");
     expect_says(refusal_of(one(Vector3::Zero(), Vector3::Zero(), Vector3::Zero(), Vector3::Zero())), "found flat tetrahedra");
 }
@@ -106,7 +106,7 @@ TEST(MeshChecks, RefusesADuplicate) {
     mesh.tetrahedra.push_back({b, c, a, d});
     mesh.layers.push_back(0);
     const std::string found = refusal_of(mesh);
-    expect_says(found, "found duplicate tetrahedra, wanted each once:\n  tetrahedron 108 (nodes");
+    expect_says(found, "found duplicate tetrahedra, wanted each once: tetrahedron 108 (nodes");
     expect_says(found, "is number 5 again");
     EXPECT_EQ(found.find("overlap"), std::string::npos) << "said once";
 }
@@ -116,8 +116,7 @@ TEST(MeshChecks, RefusesTetrahedraThatOverlap) {
     mesh.nodes.emplace_back(0.2, 0.2, 0.5);
     mesh.fixed.push_back(0);
     mesh.tetrahedra.push_back({0, 1, 2, 4});
-    expect_says(refusal_of(mesh),
-                "found tetrahedra that overlap, wanted each on its own side of a common face:\n  tetrahedron 1");
+    expect_says(refusal_of(mesh), "found tetrahedra that overlap, wanted each on its own side of a common face: tetrahedron 1");
 }
 
 /// Hard case 34.
@@ -126,8 +125,8 @@ TEST(MeshChecks, RefusesANodeWithoutMass) {
     mesh.nodes.emplace_back(0.01, 0.0, -0.02);
     mesh.fixed.push_back(0);
     EXPECT_EQ(refusal_of(mesh),
-              "found nodes of no tetrahedron, wanted none: without mass or stiffness they make the problem singular:\n"
-              "  node 48 at (0.01, 0, -0.02) m");
+              "found nodes of no tetrahedron, wanted none: without mass or stiffness they make the problem singular: "
+              "node 48 at (0.01, 0, -0.02) m");
 }
 
 /// Hard case 34.
@@ -198,8 +197,7 @@ TEST(MeshChecks, RefusesASecondBodyEvenWhereItIsHeld) {
     Mesh mesh = two_blocks([](const Vector3&) { return false; });
     for (int n = 0; n < mesh.node_count(); ++n) mesh.fixed[n] = mesh.nodes[n].z() == -0.05;
     const std::string found = refusal_of(mesh);
-    expect_says(found,
-                "found more than one body, wanted one (common nodes of neighbours not merged?):\n  tetrahedron 108 (nodes");
+    expect_says(found, "found more than one body, wanted one (common nodes of neighbours not merged?): tetrahedron 108 (nodes");
     EXPECT_EQ(found.find("nothing holds"), std::string::npos);
 }
 
@@ -215,7 +213,7 @@ TEST(MeshChecks, GathersAllThatIsWrongButListsTenOfAKind) {
     }
     expect_says(found, "tetrahedron 9 (nodes");
     EXPECT_EQ(found.find("tetrahedron 10 (nodes"), std::string::npos);
-    expect_says(found, "\n  and 3 more\n");
+    expect_says(found, " and 3 more");
 }
 
 TEST(MeshChecks, RefusesAnEmptyMeshAtItsKey) {

@@ -102,7 +102,6 @@ void Newton::commit() {
 // Bit for bit: the factor that the state was found with is made again.
 void Newton::rollback() {
     trial_ = state_;
-    load_ = state_.loads;
     contacts_ = 0;
     if (factor_step_ != state_.factor_step || about_ != state_.about) factorise(state_.about, state_.factor_step);
     stale_ = false;
@@ -193,8 +192,9 @@ bool Newton::factorise(double dt, Twists twists) {
         }
     }
     factor_.factorize(tangent_.matrix());
+    diagonal_ = factor_.vectorD();
     ++factorisations_;
-    return factor_.info() == Eigen::Success && factor_.vectorD().minCoeff() > 0.0;
+    return factor_.info() == Eigen::Success && diagonal_.minCoeff() > 0.0;
 }
 
 // Permuted by hand: Eigen's products with a permutation allocate.
@@ -205,7 +205,7 @@ void Newton::solve(const VectorX& forces, VectorX& displacements) {
     }
     displacements.setZero();    // of held nodes: `forces` may be the same vector
     factor_.matrixL().solveInPlace(permuted_);
-    permuted_.array() /= factor_.vectorD().array();
+    permuted_.array() /= diagonal_.array();
     factor_.matrixU().solveInPlace(permuted_);
     for (int i = 0; i < tangent_.free_nodes(); ++i) {
         for (int k = 0; k < 3; ++k) displacements[3 * tangent_.nodes()[i] + k] = permuted_[places[3 * i + k]];

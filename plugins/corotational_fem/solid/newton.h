@@ -82,6 +82,7 @@ private:
     VectorX weight_;    // 3n, [N]
     VectorX load_;      // 3n, [N] from the next predict on
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::MetisOrdering<int>> factor_;
+    VectorX diagonal_;             // 3n, [N/m] D of it
     VectorX about_;                // 3n, [m] displacements that it is of
     double factor_step_ = -1.0;    // [s] step_length() of the factor
     bool stale_ = true;            // the factor is of no use any more

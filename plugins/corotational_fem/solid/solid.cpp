@@ -90,9 +90,8 @@ double Solid::strain(const VectorX& u, VectorX& forces) {
 
 double Solid::damp(const VectorX& u, const VectorX& from, double rate, VectorX& forces) {
     measure(from);
-    const VectorX moved = u - from;
     for (int e = 0; e < mesh_.size(); ++e) {
-        const Matrix3 turned = polars_[e].rotation().transpose() * gradient_of(moved, e);
+        const Matrix3 turned = polars_[e].rotation().transpose() * (gradient_of(u, e) - gradient_of(from, e));
         strains_[e] = 0.5 * (turned + turned.transpose());
         dilatations_[e] = turned.trace();
     }

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace stylet::corotational_fem {
@@ -180,6 +181,26 @@ TEST_P(SolidTest, FlatInvertedAndCollapsedTetrahedraPushWithFiniteForces) {
 
 INSTANTIATE_TEST_SUITE_P(Pressure, SolidTest, ::testing::Bool(),
                          [](const auto& with) { return with.param ? "PerPatch" : "PerTetrahedron"; });
+
+/// Hard case 35. Without shared pressure, taking one away changes the forces of its own four nodes alone.
+TEST(Solid, ATetrahedronActsOnItsOwnNodesAlone) {
+    const Mesh whole = block(cell * Vector3(3.0, 2.0, 2.0), {3, 2, 2});
+    Mesh less = whole;
+    const Tetrahedron gone = less.tetrahedra.back();
+    less.tetrahedra.pop_back();
+    less.layers.pop_back();
+    less.patches.pop_back();
+    const std::vector<Material> materials{elastic(youngs_modulus, 0.45)};
+    const VectorX u = noise(3 * whole.node_count(), 0.1 * cell, 1);
+    VectorX with = VectorX::Zero(u.size()), without = with;
+    (void)Solid(whole, materials, false).strain(u, with);
+    (void)Solid(less, materials, false).strain(u, without);
+    for (int node = 0; node < whole.node_count(); ++node) {
+        const bool touched = std::find(gone.begin(), gone.end(), node) != gone.end();
+        const Vector3 change = with.segment<3>(3 * node) - without.segment<3>(3 * node);
+        EXPECT_EQ(change.isZero(0.0), !touched) << "node " << node;
+    }
+}
 
 }    // namespace
 }    // namespace stylet::corotational_fem
