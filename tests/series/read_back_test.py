@@ -169,7 +169,7 @@ class Fig9(unittest.TestCase):
 
 
 class KnownDisplacement(unittest.TestCase):
-    """A tissue alone, without a needle: u = t·(x/10, y/5 + z/4, −z/10), which is at rest a tick before the simulation begins."""
+    """A tissue alone, without a needle: u = t·(x/10, y/5 + z/4, −z/10), which is at rest as the simulation begins."""
 
     SCENE = """
 stylet: 1
