@@ -106,7 +106,7 @@ STYLET_ALWAYS_INLINE Matrix rotation_of(const Matrix& g, bool& inverted) {
     const Invariants of = invariants_of(g);
     const Native volume = 1.0F + (of.trace + (of.second + of.determinant));
     Native careless =
-        (volume >= least_volume) & (squares(g) <= greatest_gradient) ? zero : minus;    // not a number: careless too
+        ((volume >= least_volume) & (squares(g) <= greatest_gradient)) ? zero : minus;    // not a number: careless too
     Matrix x = step(g, of);
     if (any(careless)) {
         inverted = inverted || any(volume);
