@@ -3,7 +3,7 @@
 #include "making.h"
 #include "parameters.h"
 
-#include <limits>
+#include <algorithm>
 
 namespace stylet::corotational_fem {
 
@@ -11,11 +11,6 @@ namespace {
 
 // An odd number of cache lines between columns, so that a row of the compliance doesn't fall into one cache set.
 constexpr int column_padding = 8;
-
-// The needle's arclength at a contact means nothing to the tissue.
-bool same_tissue(const ContactPoint& a, const ContactPoint& b) {
-    return a.material == b.material && a.span == b.span && a.tip == b.tip;
-}
 
 double radius_of(const Setup& setup) {
     return setup.needle == nullptr ? 0.0 : setup.needle->radius;
@@ -61,11 +56,11 @@ Vector3 CorotationalFem::patch_displacement(int i) const {
 // Asked for the same points twice, neither the mesh nor the near field works for them twice.
 void CorotationalFem::place(ContactPoints points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (i < placed_.size() && same_tissue(placed_[i], points[i])) continue;
+        if (i < placed_.size() && placed_[i].is_of(points[i])) continue;
         if (i < placed_.size()) {
-            placed_[i] = points[i];
+            placed_[i] = Footprint(points[i]);
         } else {
-            placed_.push_back(points[i]);
+            placed_.emplace_back(points[i]);
         }
         const int contact = static_cast<int>(i);
         solver_->place(contact, spread_.of(points[i]));

@@ -7,6 +7,7 @@
 #include "mesh/locator.h"
 #include "solver.h"
 
+#include <stylet/footprint.h>
 #include <stylet/tissue_model.h>
 
 #include <memory>
@@ -65,10 +66,10 @@ private:
     std::optional<RegionsFelt> regions_;    // of a mesh from a file
     NearField near_field_;
     std::unique_ptr<Solver> solver_;
-    std::vector<ContactPoint> placed_;    // as the solver and the near field know them
-    VectorX free_;                        // 3n, [m]
-    VectorX moved_;                       // 3n, [m], scratch
-    MatrixX compliance_;                  // 3n × 3n, [m/N] of the mesh and the near field
+    std::vector<Footprint> placed_;    // as the solver and the near field know them
+    VectorX free_;                     // 3n, [m]
+    VectorX moved_;                    // 3n, [m], scratch
+    MatrixX compliance_;               // 3n × 3n, [m/N] of the mesh and the near field
     State trial_, state_;
 };
 

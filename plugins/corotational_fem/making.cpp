@@ -33,6 +33,15 @@ void refuse_without(const Parameters& parameters, const char* key, const char* o
     throw Error(key, "found `" + std::string(key) + "` without `" + other + "`, wanted both or neither");
 }
 
+Motion motion_of(const Setup& setup) {
+    const Parameters& parameters = setup.parameters;
+    return {.implicit = parameters.text("dynamics") == "implicit",
+            .gravity = parameters.has("gravity") ? parameters.vector3("gravity") : Vector3(Vector3::Zero()),
+            .damping_time = parameters.has("damping_time") ? parameters.number("damping_time") : 0.0,
+            .share_pressure = parameters.text("pressure") == "patch",
+            .dt = setup.dt};
+}
+
 }    // namespace
 
 Mesh mesh_of(const Setup& setup) {
@@ -59,15 +68,6 @@ std::vector<Material> materials_of(const TissueSetup& tissue) {
                              .density = layer.density});
     }
     return materials;
-}
-
-Motion motion_of(const Setup& setup) {
-    const Parameters& parameters = setup.parameters;
-    return {.implicit = parameters.text("dynamics") == "implicit",
-            .gravity = parameters.has("gravity") ? parameters.vector3("gravity") : Vector3(Vector3::Zero()),
-            .damping_time = parameters.has("damping_time") ? parameters.number("damping_time") : 0.0,
-            .share_pressure = parameters.text("pressure") == "patch",
-            .dt = setup.dt};
 }
 
 std::unique_ptr<Solver> solver_of(const Setup& setup, const Mesh& mesh, std::span<const Material> materials) {

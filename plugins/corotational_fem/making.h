@@ -14,8 +14,6 @@ namespace stylet::corotational_fem {
 
 [[nodiscard]] std::vector<Material> materials_of(const TissueSetup& tissue);
 
-[[nodiscard]] Motion motion_of(const Setup& setup);
-
 /// `mesh` and `materials` must outlive it. Throws Error where the mesh can't be solved.
 [[nodiscard]] std::unique_ptr<Solver> solver_of(const Setup& setup, const Mesh& mesh, std::span<const Material> materials);
 

@@ -9,13 +9,11 @@ constexpr double most_cells = 8.0;    // for each node: a mesh as thin as a shee
 
 /// Of six tetrahedra like this one made into a cube; of one that is longer than it is thick, as if it were as long all over.
 double size_of(const Mesh& mesh, const Tetrahedron& tetrahedron) {
-    Matrix3 edges;
-    for (int a = 0; a < 3; ++a) edges.col(a) = mesh.nodes[tetrahedron[a + 1]] - mesh.nodes[tetrahedron[0]];
     double longest = 0.0;    // [m]
     for (int a = 0; a < 4; ++a) {
         for (int b = 0; b < a; ++b) longest = std::max(longest, (mesh.nodes[tetrahedron[a]] - mesh.nodes[tetrahedron[b]]).norm());
     }
-    return std::max(std::cbrt(edges.determinant()), longest * std::numbers::inv_sqrt3);
+    return std::max(std::cbrt(mesh.edges(tetrahedron).determinant()), longest * std::numbers::inv_sqrt3);
 }
 
 }    // namespace

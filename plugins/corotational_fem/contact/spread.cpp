@@ -24,9 +24,7 @@ double density(const Vector3& node, const Vector3& centre, double radius) {
 Spread::Spread(const Mesh& mesh, double needle_radius)
     : mesh_(mesh), needle_radius_(needle_radius), grid_(mesh), volumes_(mesh.nodes.size(), 0.0) {
     for (const Tetrahedron& tetrahedron : mesh.tetrahedra) {
-        Matrix3 edges;
-        for (int a = 0; a < 3; ++a) edges.col(a) = mesh.nodes[tetrahedron[a + 1]] - mesh.nodes[tetrahedron[0]];
-        for (const int node : tetrahedron) volumes_[node] += edges.determinant() / 24.0;
+        for (const int node : tetrahedron) volumes_[node] += 0.25 * mesh.volume(tetrahedron);
     }
     weights_.reserve(mesh.nodes.size());
 }

@@ -32,9 +32,7 @@ struct Shape {
 };
 
 Shape shape_of(const Mesh& mesh, int tetrahedron) {
-    const Tetrahedron& nodes = mesh.tetrahedra[tetrahedron];
-    Matrix3 edges;
-    for (int i = 0; i < 3; ++i) edges.col(i) = mesh.nodes[nodes[i + 1]] - mesh.nodes[nodes[0]];
+    const Matrix3 edges = mesh.edges(mesh.tetrahedra[tetrahedron]);
     return {edges.inverse().transpose(), edges.determinant() / 6.0};
 }
 

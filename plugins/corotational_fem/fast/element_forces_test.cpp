@@ -1,6 +1,7 @@
 // The fast forces against the plain ones of solid/solid.h, in double precision.
 #include "fast/element_forces.h"
 
+#include "fast/rest_for_tests.h"
 #include "solid/solid.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +10,6 @@
 #include <cmath>
 #include <cstdio>
 #include <random>
-#include <thread>
 #include <vector>
 
 namespace stylet::corotational_fem {
@@ -132,7 +132,7 @@ double resolution(const VectorX& u) {
     return 10.0 * 6e-8 * 50.0 * stress_scale * u.lpNorm<Eigen::Infinity>() / size;
 }
 
-class EachSet : public testing::TestWithParam<InstructionSet> {
+class EachSet : public ::testing::TestWithParam<InstructionSet> {
 protected:
     void SetUp() override {
         if (!supported(GetParam())) GTEST_SKIP() << "this processor has no " << name(GetParam());
@@ -140,7 +140,7 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(ElementForces, EachSet,
-                         testing::Values(InstructionSet::sse2, InstructionSet::avx2, InstructionSet::avx512));
+                         ::testing::Values(InstructionSet::sse2, InstructionSet::avx2, InstructionSet::avx512));
 
 TEST_P(EachSet, AgreesWithThePlainForcesAtStrainsFromAMillionthToAHalf) {
     constexpr double close = 1e-5;    // of the greatest force: single precision and its sums
@@ -242,32 +242,13 @@ TEST_P(EachSet, DampsAsThePlainModelDoes) {
     }
 }
 
-// As many threads as wanted, each with its own tasks.
-class Threads final : public Workers {
-public:
-    explicit Threads(int threads) : threads_(threads) {}
-    [[nodiscard]] int count() const override { return threads_; }
-
-private:
-    void run(int tasks, Call call, void* context) noexcept override {
-        std::vector<std::thread> threads;
-        for (int t = 0; t < threads_; ++t) {
-            threads.emplace_back([=, this] {
-                for (int i = tasks - 1 - t; i >= 0; i -= threads_) call(context, i);
-            });
-        }
-        for (std::thread& thread : threads) thread.join();
-    }
-    int threads_;
-};
-
 TEST_P(EachSet, GivesTheSameBitsOnAnyNumberOfThreads) {
     for (const bool shared : {false, true}) {
         const Deformed beam(shared);
         const VectorX u = beam.random(0.6, 3), from = beam.random(0.6, 4);    // some inverted
         const Outcome alone = beam.fast(u, GetParam(), &from, 0.5);
         for (const int threads : {2, 3}) {
-            Threads workers(threads);
+            testing::Threads workers(threads);
             const Outcome together = beam.fast(u, GetParam(), &from, 0.5, workers);
             EXPECT_EQ(alone.forces, together.forces);
             EXPECT_EQ(alone.sums.elastic, together.sums.elastic);

@@ -1,8 +1,7 @@
 #include "fast/quasi_newton.h"
 
 #include "fast/faithful_panels.h"
-
-#include <stylet/error.h>
+#include "mesh/mass.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +11,7 @@ namespace stylet::corotational_fem {
 
 namespace {
 
-// So that a time step can't take much longer than others; what it leaves undone, the next call does.
+// In one call, each with a few passes at worst; what they leave undone, the next call does.
 constexpr int most_iterations = 10;
 
 // Of the accuracy: what forces that another linearisation corrects may leave undone.
@@ -28,24 +27,12 @@ bool has_mass(const Motion& motion) {
     return motion.implicit || !motion.gravity.isZero(0.0);
 }
 
-const Mesh& with_densities(const Mesh& mesh, std::span<const Material> materials, const Motion& motion) {
-    for (const int layer : mesh.layers) {
-        if (!has_mass(motion) || materials[layer].density > 0.0) continue;
-        throw Error("layers", "found a layer without `density`, wanted one: this scene's tissue has weight or inertia");
-    }
-    return mesh;
-}
-
-// A quarter of each tetrahedron's mass at each of its nodes [kg].
-std::vector<float> masses(const Mesh& mesh, std::span<const Material> materials, std::span<const int> places, int nodes) {
-    std::vector<double> sums(nodes + 1, 0.0);
-    for (int e = 0; e < mesh.size(); ++e) {
-        const Tetrahedron& t = mesh.tetrahedra[e];
-        Matrix3 edges;
-        for (int i = 0; i < 3; ++i) edges.col(i) = mesh.nodes[t[i + 1]] - mesh.nodes[t[0]];
-        for (const int node : t) sums[places[node]] += materials[mesh.layers[e]].density * edges.determinant() / 24.0;
-    }
-    return {sums.begin(), sums.end() - 1};
+std::vector<float> masses(const Mesh& mesh, std::span<const Material> materials, const BlockMatrix& matrix,
+                          const Dissection& dissection) {
+    const VectorX mass = lumped_mass(mesh, materials);
+    std::vector<float> masses(matrix.rows());
+    for (int row = 0; row < matrix.rows(); ++row) masses[dissection.place[row]] = static_cast<float>(mass[matrix.mesh_node[row]]);
+    return masses;
 }
 
 std::vector<float> softnesses(const BlockMatrix& matrix, const Dissection& dissection) {
@@ -69,8 +56,7 @@ std::unique_ptr<Panels> factorised(const BlockMatrix& matrix, const Dissection& 
 
 QuasiNewton::QuasiNewton(const Mesh& mesh, std::span<const Material> materials, const Motion& motion, double accuracy,
                          Workers& workers, InstructionSet set)
-    : QuasiNewton(mesh, materials, motion, accuracy, workers, set,
-                  rest_matrix(with_densities(mesh, materials, motion), materials, motion)) {}
+    : QuasiNewton(mesh, materials, motion, accuracy, workers, set, rest_matrix(mesh, materials, motion)) {}
 
 QuasiNewton::QuasiNewton(const Mesh& mesh, std::span<const Material> materials, const Motion& motion, double accuracy,
                          Workers& workers, InstructionSet set, const BlockMatrix& matrix)
@@ -98,7 +84,7 @@ QuasiNewton::QuasiNewton(const Mesh& mesh, std::span<const Material> materials, 
       moved_(3 * max_contacts),
       answer_(nodes_ + 1),
       ahead_(nodes_ + 1) {
-    if (has_mass(motion)) mass_ = masses(mesh, materials, dissection_.place_of_node, nodes_);
+    if (has_mass(motion)) mass_ = masses(mesh, materials, matrix, dissection_);
     trial_.from.resize(nodes_ + 1);
     for (NodalVector* each : {&trial_.moved, &trial_.loads}) each->resize(nodes_ + 1);
     for (NodalVector* each : {&trial_.coasting, &trial_.inner, &origin_.moved, &origin_.resisting}) each->resize(nodes_);

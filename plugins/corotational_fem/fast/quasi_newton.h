@@ -27,8 +27,8 @@ namespace stylet::corotational_fem {
 /// that of the undeformed mesh: within some percent of the deformed one's where tetrahedra turn by 10°.
 ///
 /// Accuracy: displacements to about `accuracy` a time step, at best 1e-5, for single precision ends there. Steps of another
-/// length than Motion::dt are about as accurate and take more iterations: 5 at half of it, 20 at ten times, hundreds at a hundred
-/// times.
+/// length than Motion::dt are about as accurate and take more iterations: 5 at half of it, up to 50 at ten times, hundreds at a
+/// hundred times.
 ///
 /// Source: Nocedal 1980; Liu, Bouaziz and Kavan 2017, who precondition L-BFGS with a constant factor. Deviation: theirs is a
 /// scalar Laplacian a coordinate, which a Poisson ratio near 0.5 makes slow; ours is the stiffness itself.

@@ -1,5 +1,7 @@
 #include "fast/rest_matrix.h"
 
+#include "mesh/mass.h"
+
 #include <algorithm>
 #include <array>
 
@@ -13,8 +15,7 @@ struct Shape {
 };
 
 Shape shape(const Mesh& mesh, const Tetrahedron& nodes) {
-    Matrix3 edges;
-    for (int i = 0; i < 3; ++i) edges.col(i) = mesh.nodes[nodes[i + 1]] - mesh.nodes[nodes[0]];
+    const Matrix3 edges = mesh.edges(nodes);
     const Matrix3 inverse = edges.inverse();
     Shape result{edges.determinant() / 6.0, {}};
     for (int i = 0; i < 3; ++i) result.gradients[i + 1] = inverse.row(i).transpose();
@@ -130,10 +131,8 @@ BlockMatrix rest_matrix(const Mesh& mesh, std::span<const Material> materials, c
         for (Matrix3& block : a.block) block *= 1.0 + motion.damping_time / motion.dt;
     }
     if (!motion.implicit) return a;
-    for (int e = 0; e < mesh.size(); ++e) {
-        const double mass = shapes[e].volume * materials[mesh.layers[e]].density / 4.0;    // [kg]
-        for (const int node : mesh.tetrahedra[e]) add(a, node, node, mass / (motion.dt * motion.dt) * Matrix3::Identity());
-    }
+    const VectorX mass = lumped_mass(mesh, materials);
+    for (const int node : a.mesh_node) add(a, node, node, mass[node] / (motion.dt * motion.dt) * Matrix3::Identity());
     return a;
 }
 

@@ -20,6 +20,16 @@ struct Mesh {
 
     [[nodiscard]] int node_count() const { return static_cast<int>(nodes.size()); }
     [[nodiscard]] int size() const { return static_cast<int>(tetrahedra.size()); }
+
+    /// From its first node to each of the others [m], a column each.
+    [[nodiscard]] Matrix3 edges(const Tetrahedron& tetrahedron) const {
+        Matrix3 edges;
+        for (int i = 0; i < 3; ++i) edges.col(i) = nodes[tetrahedron[i + 1]] - nodes[tetrahedron[0]];
+        return edges;
+    }
+    [[nodiscard]] double volume(const Tetrahedron& tetrahedron) const {
+        return edges(tetrahedron).determinant() / 6.0;
+    }    // [m³]
 };
 
 /// What the source of a mesh calls its nodes and tetrahedra. Empty: by their index.

@@ -1,5 +1,7 @@
 #include "solid/newton.h"
 
+#include "mesh/mass.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -41,7 +43,7 @@ Newton::Newton(const Mesh& mesh, std::span<const Material> materials, const Moti
       permuted_(3 * tangent_.free_nodes()) {
     for (Placed& placed : placed_) placed.footprint.reserve(mesh.nodes.size());
     if (motion.implicit || !motion.gravity.isZero(0.0)) {
-        mass_ = three_each(solid_.lumped_mass());
+        mass_ = three_each(lumped_mass(mesh, materials));
         for (const int node : tangent_.nodes()) weight_.segment<3>(3 * node) = mass_[3 * node] * motion.gravity;
     }
     trial_ = {.u = load_,
@@ -59,7 +61,8 @@ Newton::Newton(const Mesh& mesh, std::span<const Material> materials, const Moti
         throw Error("fixed",
                     "found a mesh that is singular, wanted one that is held: part of it can move without being strained");
     }
-    factorise(trial_.u, step_length());
+    factor_step_ = step_length();
+    stale_ = false;
     commit();
     origin_ = state_;
 }

@@ -1,6 +1,7 @@
 // Newton's class as Coupling drives it, for tests.
 #pragma once
 
+#include "mesh/mass.h"
 #include "solid/newton.h"
 #include "solid/test_solids.h"
 
@@ -60,7 +61,7 @@ public:
     /// in which inertia outweighs whatever the solid does, so that there is only one answer. Then the loads end. Held nodes must
     /// be where they are in u. Needs `implicit`, no weight and no damping.
     void put(const VectorX& u, double dt) {
-        const VectorX from = displacements(), mass = solid_.lumped_mass();
+        const VectorX from = displacements(), mass = lumped_mass(mesh_, materials_);
         for (const VectorX& coasting : {from, VectorX(2.0 * u - from)}) {
             VectorX forces = VectorX::Zero(u.size());
             solid_.strain(u, forces);

@@ -1,7 +1,5 @@
 #include "solid/solid.h"
 
-#include <stylet/error.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -24,14 +22,11 @@ Eigen::Matrix<double, 3, 4> gradients_of(const Matrix3& edges) {
 
 Solid::Solid(const Mesh& mesh, std::span<const Material> materials, bool share_pressure)
     : mesh_(mesh),
-      materials_(materials),
       polars_(mesh.tetrahedra.size(), Polar(Matrix3::Identity())),
       strains_(mesh.tetrahedra.size()),
       dilatations_(mesh.tetrahedra.size()) {
     for (int e = 0; e < mesh.size(); ++e) {
-        const Tetrahedron& nodes = mesh.tetrahedra[e];
-        Matrix3 edges;
-        for (int i = 0; i < 3; ++i) edges.col(i) = mesh.nodes[nodes[i + 1]] - mesh.nodes[nodes[0]];
+        const Matrix3 edges = mesh.edges(mesh.tetrahedra[e]);
         const Material& material = materials[mesh.layers[e]];
         shapes_.push_back({gradients_of(edges), edges.determinant() / 6.0, material.shear_modulus, material.lame});
     }
@@ -180,17 +175,6 @@ double Solid::rounding() const {
         greatest = std::max(greatest, (2.0 * shear_modulus + lame) * volume * gradients.colwise().norm().maxCoeff());
     }
     return units * std::numeric_limits<double>::epsilon() * greatest;
-}
-
-VectorX Solid::lumped_mass() const {
-    VectorX mass = VectorX::Zero(mesh_.node_count());
-    for (int e = 0; e < mesh_.size(); ++e) {
-        const double density = materials_[mesh_.layers[e]].density;
-        if (!(density > 0.0))
-            throw Error("layers", "found a layer without `density`, wanted one: this scene's tissue has weight or inertia");
-        for (const int node : mesh_.tetrahedra[e]) mass[node] += 0.25 * density * shapes_[e].volume;
-    }
-    return mass;
 }
 
 }    // namespace stylet::corotational_fem

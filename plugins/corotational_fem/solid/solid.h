@@ -30,7 +30,7 @@ enum class Twists : std::uint8_t { exact, definite };
 /// Vectors are 3n, xyz of each node of the mesh, held ones included.
 class Solid {
 public:
-    /// `mesh` must outlive it. Throws Error where the mesh names a material that is not there.
+    /// `mesh` must outlive it.
     Solid(const Mesh& mesh, std::span<const Material> materials, bool share_pressure);
 
     /// Energy [J] at displacements u [m]; adds its derivative, the internal forces [N], to `forces`.
@@ -54,9 +54,6 @@ public:
     /// What rounding leaves uncertain of the force on a node [N], for a strain is known to a few units in the last place of one.
     [[nodiscard]] double rounding() const;
 
-    /// A quarter of each tetrahedron's mass [kg] at each of its nodes. Throws Error at `layers` where a density is missing.
-    [[nodiscard]] VectorX lumped_mass() const;
-
 private:
     void measure(const VectorX& u);
 
@@ -78,7 +75,6 @@ private:
     void stiffen_shared(const Patch& patch, double factor, Tangent& tangent) const;
 
     const Mesh& mesh_;
-    std::span<const Material> materials_;
     std::vector<Shape> shapes_;
     std::vector<Patch> patches_;    // none: each tetrahedron has its own pressure
     bool inverted_ = false;
