@@ -1,5 +1,6 @@
 // Each bad scene here is refused with the messages in the file beside it: those of this folder as they are read, with plugins of
-// the tests' own, those of refused_by_plugins when the real plugins are made. `<plugins>` stands for the folder of the plugins.
+// the tests' own, those of refused_by_plugins when the real plugins are made. `<plugins>` stands for the folder of the plugins,
+// `<here>` for this one.
 #include "core/loading/cast.h"
 #include "core/scene/reader.h"
 
@@ -29,6 +30,10 @@ std::string contents(const fs::path& file) {
     return text.str();
 }
 
+void replace_all(std::string& text, const std::string& what, const std::string& with) {
+    for (auto at = text.find(what); at != std::string::npos; at = text.find(what)) text.replace(at, what.size(), with);
+}
+
 std::string messages_of(const std::string& scene, const std::string& folder = TEST_PLUGINS) {
     std::string text;
     try {
@@ -38,8 +43,8 @@ std::string messages_of(const std::string& scene, const std::string& folder = TE
     } catch (const SceneErrors& errors) {
         for (const std::string& message : errors.messages()) text += message + "\n";
     }
-    for (auto at = text.find(folder); at != std::string::npos; at = text.find(folder))
-        text.replace(at, folder.size(), "<plugins>");
+    replace_all(text, folder, "<plugins>");
+    replace_all(text, fs::current_path().string(), "<here>");
     return text;
 }
 
