@@ -16,8 +16,9 @@ RATE = 1000.0  # [Hz] ticks of simulated time
 DURATION = 10000.0  # [s] simulated: whatever the machine, a run is killed long before
 LONGEST_LIFE = 0.3  # [s] six times what the recorder waits between two writes
 ROUNDING = 1e-9  # of a time: the same number, written in decimal and read again
-# A kill within the microseconds of a write may cut the last row. Twenty writes a second: one in some thousand kills.
-MOST_CUT = 2
+# A kill within a write may cut the last row: one in a hundred on a quiet machine, more on a busy one, where a process waits for its
+# turn in the middle of a write. A recorder that wrote blocks and not whole rows would cut all but one in two hundred.
+MOST_CUT = 0.5  # of the kills
 
 
 def killed(stylet, scene, folder, life):
@@ -77,7 +78,7 @@ def main():
             kept.append(whole)
             cuts += cut
     assert sum(rows > 0 for rows in kept) > given.kills / 2, "most runs were killed before their first row: nothing was tested"
-    assert cuts <= MOST_CUT, f"{cuts} of {given.kills} recordings end in half a row"
+    assert cuts <= MOST_CUT * given.kills, f"{cuts} of {given.kills} recordings end in half a row"
     print(f"{given.kills} kills, {cuts} rows cut, {sum(kept)} rows kept")
 
 
