@@ -47,11 +47,11 @@ inline constexpr Parameter device_keys[] = {
 };
 
 inline constexpr Parameter coupling_keys[] = {
-    number("contact_spacing", "m", positive, "length of track between two contacts along the shaft"),
+    finer_below(number("contact_spacing", "m", positive, "length of track between two contacts along the shaft")),
 };
 
 inline constexpr Parameter run_keys[] = {
-    number("rate", "Hz", {.least = 0.1, .greatest = 1e5}, "ticks per second of simulated time"),
+    finer_above(number("rate", "Hz", {.least = 0.1, .greatest = 1e5}, "ticks per second of simulated time")),
     optional(number("duration", "s", positive, "simulated time; left out, the run lasts as long as the device's motion")),
 };
 

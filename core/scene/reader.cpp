@@ -1,6 +1,7 @@
 #include "core/scene/reader.h"
 
 #include "core/run/sample.h"
+#include "core/scene/document.h"
 #include "core/scene/overrides.h"
 #include "core/scene/scene_format.h"
 #include "core/scene/scene_hash.h"
@@ -15,57 +16,7 @@
 namespace stylet::core {
 namespace {
 
-constexpr std::size_t largest_scene = 1 << 20;    // [bytes] a written scene has some thousand; more is no scene
-
-[[noreturn]] void refuse(const Place& place, const std::string& path, const std::string& sentence) {
-    Complaints complaints;
-    complaints.add(place, path, sentence);
-    throw SceneErrors(complaints.messages());
-}
-
-/// Where the first byte stands that is no UTF-8, or npos.
-std::size_t not_utf8(const std::string& text) {
-    for (std::size_t i = 0; i < text.size();) {
-        const auto byte = static_cast<unsigned char>(text[i]);
-        const std::size_t more = byte < 0x80                   ? 0
-                                 : byte >= 0xC2 && byte < 0xE0 ? 1
-                                 : byte >= 0xE0 && byte < 0xF0 ? 2
-                                 : byte >= 0xF0 && byte < 0xF5 ? 3
-                                                               : 4;
-        for (std::size_t k = 1; k <= more; ++k) {
-            const bool continues = more < 4 && i + k < text.size() && (static_cast<unsigned char>(text[i + k]) & 0xC0) == 0x80;
-            if (!continues) return i;
-        }
-        i += more + 1;
-    }
-    return std::string::npos;
-}
-
-std::string text_of(const std::filesystem::path& file) {
-    try {
-        std::string text = read_bytes(file, largest_scene);
-        if (const std::size_t at = not_utf8(text); at != std::string::npos) {
-            const auto line =
-                static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')) + 1;
-            const auto column = static_cast<int>(at - (text.rfind('\n', at) + 1)) + 1;
-            refuse({file.string(), line, column}, "", "found a byte that is no UTF-8, wanted a scene in UTF-8");
-        }
-        return text;
-    } catch (const Error& error) {
-        refuse({file.string(), 0, 0}, "", fmt::format("{}, wanted a scene", error.what()));
-    }
-}
-
-/// A scene of another version may mean anything: what else is wrong with it cannot be told.
-void check_version(const ValueTree& root, Reading& reading) {
-    const ValueTree* version = root.find("stylet");
-    const std::string wanted = fmt::format("{} (the version of the scene format)", format_version);
-    if (version == nullptr) {
-        miss_key(root, "stylet", wanted, reading);
-    } else if (version->text != std::to_string(format_version)) {
-        refuse(version->place, "stylet", "found " + version->description() + ", wanted " + wanted);
-    }
-}
+constexpr const char* kind = "a scene";
 
 using ReadSection = void (*)(const ValueTree&, Reading&, Scene&);
 constexpr std::pair<const Section*, ReadSection> readers[] = {
@@ -118,27 +69,14 @@ void read_sections(const ValueTree& root, Reading& reading, Scene& scene) {
     refuse_unknown_keys(root, "", known, reading);
 }
 
-ValueTree tree_of(const std::string& text, const std::filesystem::path& file, const std::vector<Override>& overrides,
-                  Complaints& complaints) {
-    const Place start{file.string(), 1, 1};
-    std::optional<ValueTree> root = parse_yaml(text, start, complaints);
-    if (!root) throw SceneErrors(complaints.messages());
-    if (root->shape == ValueTree::Shape::nothing) {
-        refuse(start, "", fmt::format("found an empty file, wanted a scene that begins with 'stylet: {}'", format_version));
-    }
-    if (root->shape != ValueTree::Shape::map)
-        refuse(root->place, "", "found " + root->description() + ", wanted a map of a scene's keys");
-    apply_overrides(overrides, *root, complaints);
-    return *std::move(root);
-}
-
 }    // namespace
 
 Scene read_scene(const std::filesystem::path& file, const std::vector<Override>& overrides, const PluginFolders& folders) {
-    const std::string text = text_of(file);
+    const std::string text = document_text(file, kind);
     Reading reading{.files = SceneFiles(file), .folders = folders};
-    const ValueTree root = tree_of(text, file, overrides, reading.complaints);
-    check_version(root, reading);
+    ValueTree root = document_tree(text, file, kind, reading.complaints);
+    apply_overrides(overrides, root, reading.complaints);
+    check_version(root, kind, reading);
     Scene scene{};
     scene.file = file;
     const Parameters keys = read_parameters(root, "", scene_keys, reading);
@@ -154,7 +92,7 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<Override>&
     try {
         scene.hash = scene_hash(text, overrides, reading.files.named());
     } catch (const Error& error) {
-        refuse({file.string(), 0, 0}, "", error.what());
+        throw SceneErrors({fmt::format("{}: {}", file.string(), error.what())});
     }
     return scene;
 }
@@ -162,10 +100,10 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<Override>&
 std::string scene_title(const std::filesystem::path& file) {
     try {
         Complaints complaints;
-        const auto root = parse_yaml(read_bytes(file, largest_scene), {file.string(), 1, 1}, complaints);
-        const ValueTree* title = root ? root->find("title") : nullptr;
+        const ValueTree root = document_tree(document_text(file, kind), file, kind, complaints);
+        const ValueTree* title = root.find("title");
         return title == nullptr ? "" : title->text;
-    } catch (const Error&) {
+    } catch (const SceneErrors&) {
         return "";
     }
 }
