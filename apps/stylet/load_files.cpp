@@ -1,5 +1,6 @@
 #include "apps/stylet/load_files.h"
 
+#include "apps/stylet/csv_cell.h"
 #include "apps/stylet/load_advice.h"
 #include "apps/stylet/load_text.h"
 
@@ -56,21 +57,13 @@ ordered_json curve_json(const LoadCurve& curve, const SceneLoads& scene, const C
     return json;
 }
 
-/// A cell of CSV as RFC 4180 has it: in quotes where it holds what would end it.
-std::string cell(const std::string& text) {
-    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
-}
-
 /// What is no number has an empty cell.
 std::string value(double number) {
     return std::isnan(number) ? "" : fmt::format("{}", number);
 }
 
 std::string heading(const std::string& name, const std::string& unit) {
-    return cell(unit.empty() ? name : fmt::format("{} [{}]", name, unit));
+    return csv_cell(unit.empty() ? name : fmt::format("{} [{}]", name, unit));
 }
 
 }    // namespace
@@ -110,12 +103,12 @@ std::string loads_csv(const CriticalLoads& loads) {
     const bool known = loads.scenes.front().reference.has_value();
     if (known) {
         text += ",known [N]";
-        for (const std::string& model : models) text += "," + cell(model + " deviation");
+        for (const std::string& model : models) text += "," + csv_cell(model + " deviation");
     }
     text += "\n";
     for (const SceneLoads& scene : loads.scenes) {
         for (std::size_t i = 0; i < scene.points.size(); ++i) {
-            text += fmt::format("{},{},{},{}", cell(scene.name), scene.points[i], scene.puncture[i], scene.insertion[i]);
+            text += fmt::format("{},{},{},{}", csv_cell(scene.name), scene.points[i], scene.puncture[i], scene.insertion[i]);
             for (const std::string& model : models) {
                 const LoadCurve* const curve = scene.curve(model);
                 text += "," + (curve == nullptr ? "" : value(curve->loads[i]));
