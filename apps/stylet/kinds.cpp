@@ -69,6 +69,13 @@ std::string range_text(const Parameter& parameter) {
     return "any";
 }
 
+std::string meaning_text(const Parameter& parameter) {
+    if (parameter.finer == Finer::neither) return parameter.meaning;
+    const bool above = parameter.finer == Finer::above;
+    const char* finer = parameter.kind == Kind::choice ? (above ? "later" : "earlier") : (above ? "larger" : "smaller");
+    return fmt::format("{}; {} is finer", parameter.meaning, finer);
+}
+
 const char* need_text(const Parameter& parameter) {
     return parameter.need == Need::required ? "required" : "optional";
 }

@@ -27,6 +27,8 @@ using ParameterList = std::span<const Parameter>;
 [[nodiscard]] std::string kind_text(const Parameter& parameter);
 /// "≥ 0", "any", "bottom | sides"; empty where there is none.
 [[nodiscard]] std::string range_text(const Parameter& parameter);
+/// "nodes from the base to the tip; larger is finer"
+[[nodiscard]] std::string meaning_text(const Parameter& parameter);
 /// "required" or "optional"
 [[nodiscard]] const char* need_text(const Parameter& parameter);
 

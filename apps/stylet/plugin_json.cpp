@@ -29,6 +29,7 @@ ordered_json parameter_json(const Parameter& parameter) {
                          {"greatest", bound(parameter.range.greatest)},
                          {"open_above", parameter.range.open_above}};
     }
+    if (parameter.finer != Finer::neither) json["finer"] = parameter.finer == Finer::above ? "above" : "below";
     if (parameter.kind == Kind::choice) json["choices"] = core::choices_of(parameter);
     if (parameter.kind == Kind::records) json["fields"] = parameters_json(fields_of(parameter));
     return json;

@@ -1,6 +1,7 @@
 #include "apps/stylet/plugin_page.h"
 
 #include "apps/stylet/kinds.h"
+#include "apps/stylet/markdown.h"
 #include "apps/stylet/scene_skeleton.h"
 
 #include <fmt/format.h>
@@ -13,19 +14,6 @@ namespace {
 constexpr const char* origin =
     "<!-- Written by `stylet plugins --pages` from what the plugins declare: change it there, then write it again. -->\n\n";
 
-/// Plain text as Markdown: what would be read as markup is escaped, but for code in backticks.
-std::string markdown(const std::string& text) {
-    constexpr std::string_view markup = "\\*<|";
-    std::string escaped;
-    bool code = false;
-    for (const char c : text) {
-        if (c == '`') code = !code;
-        if (!code && markup.find(c) != std::string_view::npos) escaped += '\\';
-        escaped += c;
-    }
-    return escaped;
-}
-
 std::string sentence(const std::string& text) {
     return markdown(text) + (text.ends_with('.') ? "\n" : ".\n");
 }
@@ -34,7 +22,7 @@ void add_rows(ParameterList parameters, const std::string& path, std::string& ro
     for (const Parameter& parameter : parameters) {
         const std::string name = path + parameter.name;
         rows += fmt::format("| `{}` | {} | {} | {} | {} |\n", name, markdown(kind_text(parameter)),
-                            markdown(range_text(parameter)), need_text(parameter), markdown(parameter.meaning));
+                            markdown(range_text(parameter)), need_text(parameter), markdown(meaning_text(parameter)));
         add_rows(fields_of(parameter), name + "[].", rows);
     }
 }

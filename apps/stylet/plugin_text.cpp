@@ -23,7 +23,7 @@ void add_rows(ParameterList parameters, std::size_t indent, Table& table) {
 /// The meanings in the order of the rows, each indented to stand below its name.
 void add_meanings(ParameterList parameters, std::size_t indent, std::vector<std::string>& meanings) {
     for (const Parameter& parameter : parameters) {
-        meanings.push_back(wrapped(parameter.meaning, indent + 4, page_width));
+        meanings.push_back(wrapped(meaning_text(parameter), indent + 4, page_width));
         add_meanings(fields_of(parameter), indent + 4, meanings);
     }
 }

@@ -73,7 +73,7 @@ double LayeredExplicit::critical_load(const Column& column) const {
 namespace {
 
 constexpr Parameter parameters[] = {
-    integer("terms", {.least = 2, .greatest = 3}, "how many functions the buckled shape is put together from"),
+    finer_above(integer("terms", {.least = 2, .greatest = 3}, "how many functions the buckled shape is put together from")),
     foundation_modulus_parameter,
     given_moduli_parameter,
 };

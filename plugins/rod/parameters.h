@@ -5,7 +5,7 @@
 namespace stylet::rod {
 
 inline constexpr Parameter parameters[] = {
-    integer("nodes", {.least = 5, .greatest = 1001}, "nodes from the base to the tip, evenly spaced"),
+    finer_above(integer("nodes", {.least = 5, .greatest = 1001}, "nodes from the base to the tip, evenly spaced")),
     number("density", "kg/m^3", positive, "mass density of the needle"),
     number("poisson_ratio", "1", {.least = -1.0, .greatest = 0.5, .open_below = true, .open_above = true},
            "Poisson's ratio of the needle, for its twisting"),

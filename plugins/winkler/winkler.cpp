@@ -70,7 +70,7 @@ double Winkler::critical_load(const Column& column) const {
 namespace {
 
 constexpr Parameter parameters[] = {
-    optional(integer("elements", {.least = 4, .greatest = max_elements}, "of the column; left out: 64")),
+    optional(finer_above(integer("elements", {.least = 4, .greatest = max_elements}, "of the column; left out: 64"))),
     foundation_modulus_parameter,
     given_moduli_parameter,
 };

@@ -110,6 +110,13 @@ TEST(Contract, NoticesEveryFlawOfAnEffect) {
     });
 }
 
+TEST(Contract, NoticesAFinenessOfWhatHasNoSteps) {
+    static constexpr Parameter finer_text[] = {finer_above(text("flaw", "of which no one is finer than another"))};
+    Descriptor plugin = describe<FlawedEffect>();
+    plugin.parameters = finer_text;
+    EXPECT_EQ(broken_promises(plugin, "none"), std::vector<std::string>{"SaysWhatItIs"});
+}
+
 TEST(Contract, NoticesEveryFlawOfADevice) {
     expect_each_noticed<FlawedDevice>({
         {"not unit", "ReadingsAreFiniteAndUnit"},

@@ -14,6 +14,11 @@ bool has_dimension(Kind kind) {
     return kind == Kind::number || kind == Kind::vector3;
 }
 
+/// Only these come in steps from coarse to fine.
+bool has_fineness(Kind kind) {
+    return kind == Kind::number || kind == Kind::integer || kind == Kind::choice || kind == Kind::vector3;
+}
+
 void check_parameter(const Parameter& parameter) {
     ASSERT_TRUE(says_something(parameter.name));
     SCOPED_TRACE(parameter.name);
@@ -22,6 +27,7 @@ void check_parameter(const Parameter& parameter) {
         << "numbers and vectors have a unit, \"1\" where they have none";
     EXPECT_EQ(says_something(parameter.choices), parameter.kind == Kind::choice);
     EXPECT_EQ(parameter.field_count > 0, parameter.kind == Kind::records);
+    EXPECT_TRUE(parameter.finer == Finer::neither || has_fineness(parameter.kind)) << "no step of it is finer than another";
     EXPECT_LE(parameter.range.least, parameter.range.greatest);
     for (std::uint32_t i = 0; i < parameter.field_count; ++i) check_parameter(parameter.fields[i]);
 }

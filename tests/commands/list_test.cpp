@@ -66,6 +66,16 @@ TEST(Plugins, AreDescribedAsJsonToo) {
     EXPECT_FALSE((*motion)["fields"].empty());
 }
 
+TEST(Plugins, SayWhichWayAParameterBuysAccuracy) {
+    const Bench bench;
+    EXPECT_THAT(bench.stylet({"plugins", "rod"}).out, ContainsRegex("evenly spaced; larger\\s+is\\s+finer\n"));
+    EXPECT_THAT(bench.stylet({"plugins", "corotational_fem"}).out, HasSubstr("fast; earlier is finer\n"));
+    const json rod = json::parse(bench.stylet({"plugins", "rod", "--json"}).out);
+    for (const json& parameter : rod["parameters"]) {
+        EXPECT_EQ(parameter.value("finer", "neither"), parameter["name"] == "nodes" ? "above" : "neither");
+    }
+}
+
 TEST(Plugins, AnUnknownOneIsAnErrorWithASuggestion) {
     const Outcome unknown = Bench().stylet({"plugins", "frictoin"});
     EXPECT_EQ(unknown.code, 2);

@@ -27,6 +27,10 @@ enum class Kind : std::uint8_t {
 
 enum class Need : std::uint8_t { required, optional };
 
+/// Which way of a parameter buys accuracy with time: above, a larger number (each component of a vector) or a later word of a
+/// choice; below, a smaller or an earlier one. Most parameters say what is there, not how finely: neither.
+enum class Finer : std::uint8_t { neither, above, below };
+
 /// Which numbers make sense. A bound counts as allowed unless `open`.
 struct Range {
     double least = -std::numeric_limits<double>::infinity();      // SI
@@ -51,6 +55,7 @@ struct Parameter {
     const char* choices = "";             // separated by spaces, for Kind::choice
     const Parameter* fields = nullptr;    // for Kind::records
     std::uint32_t field_count = 0;
+    Finer finer = Finer::neither;
 };
 
 constexpr Parameter number(const char* name, const char* unit, Range range, const char* meaning) {
@@ -77,6 +82,14 @@ constexpr Parameter records(const char* name, const Parameter (&fields)[Count], 
 }
 constexpr Parameter optional(Parameter parameter) {
     parameter.need = Need::optional;
+    return parameter;
+}
+constexpr Parameter finer_above(Parameter parameter) {
+    parameter.finer = Finer::above;
+    return parameter;
+}
+constexpr Parameter finer_below(Parameter parameter) {
+    parameter.finer = Finer::below;
     return parameter;
 }
 

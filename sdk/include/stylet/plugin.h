@@ -29,7 +29,7 @@ public:
 };
 
 /// Raised by one whenever a library built before could no longer be called.
-inline constexpr std::uint32_t sdk_version = 3;
+inline constexpr std::uint32_t sdk_version = 4;
 
 /// What a library was built with. It comes first, holds only integers and C strings, and never changes its layout.
 struct BuildStamp {
