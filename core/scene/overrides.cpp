@@ -43,7 +43,11 @@ std::vector<Step> steps_of(const std::string& key) {
 ValueTree* follow(ValueTree& from, const Step& step, const std::string& path, bool may_make, const Place& place,
                   std::string& problem) {
     if (const auto* index = std::get_if<std::size_t>(&step)) {
-        if (from.shape == ValueTree::Shape::list && *index < from.items.size()) return &from.items[*index];
+        if (from.shape == ValueTree::Shape::list && *index < from.items.size()) {
+            if (!from.items[*index].taken_out) return &from.items[*index];
+            problem = fmt::format("found no item [{}], it was taken out of {}", *index, quote(path));
+            return nullptr;
+        }
         problem = from.shape == ValueTree::Shape::list
                       ? fmt::format("found no item [{}], {} is a list of {}", *index, quote(path), from.items.size())
                       : fmt::format("found {} at {}, wanted a list", from.description(), quote(path));
@@ -63,6 +67,36 @@ ValueTree* follow(ValueTree& from, const Step& step, const std::string& path, bo
     return nullptr;
 }
 
+/// Where an override's steps lead, and the map or list in which the last of them is; nothing where they lead nowhere.
+struct Target {
+    ValueTree* parent = nullptr;
+    ValueTree* value = nullptr;
+};
+
+Target find(const Override& override, const std::vector<Step>& steps, const Place& place, ValueTree& scene,
+            std::string& problem) {
+    Target target{.value = &scene};
+    std::string path;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        ValueTree& at = *target.value;
+        const bool may_make = !override.removes && (override.makes_way || i + 1 == steps.size());
+        if (may_make && override.makes_way && at.shape == ValueTree::Shape::nothing) at = ValueTree(ValueTree::Shape::map, place);
+        target = {.parent = &at, .value = follow(at, steps[i], path, may_make, place, problem)};
+        if (target.value == nullptr) return {};
+        path = std::visit([&](const auto& step) { return join(path, step); }, steps[i]);
+    }
+    return target;
+}
+
+/// An item of a list is only marked, so that the others keep their indices.
+void take_out(const Target& target, const Step& last) {
+    if (const auto* key = std::get_if<std::string>(&last)) {
+        std::erase_if(target.parent->entries, [&](const ValueTree::Entry& entry) { return entry.key == *key; });
+    } else {
+        target.value->taken_out = true;
+    }
+}
+
 void apply(const Override& override, ValueTree& scene, Complaints& complaints) {
     const Place place{override.given, 0, 0};
     const std::vector<Step> steps = steps_of(override.key);
@@ -70,27 +104,33 @@ void apply(const Override& override, ValueTree& scene, Complaints& complaints) {
         complaints.add(place, "", "found a malformed key, wanted one such as effects[0].rupture_force");
         return;
     }
-    const std::optional<ValueTree> value = parse_yaml(override.value, place, complaints);
-    if (!value) return;
-    ValueTree* at = &scene;
-    std::string path;
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-        std::string problem;
-        if (override.makes_way && at->shape == ValueTree::Shape::nothing) *at = ValueTree(ValueTree::Shape::map, place);
-        at = follow(*at, steps[i], path, override.makes_way || i + 1 == steps.size(), place, problem);
-        if (at == nullptr) {
-            complaints.add(place, "", problem);
-            return;
-        }
-        path = std::visit([&](const auto& step) { return join(path, step); }, steps[i]);
+    std::optional<ValueTree> value;
+    if (!override.removes) {
+        value = parse_yaml(override.value, place, complaints);
+        if (!value) return;
     }
-    *at = *value;
+    std::string problem;
+    const Target target = find(override, steps, place, scene, problem);
+    if (target.value == nullptr) {
+        complaints.add(place, "", problem);
+    } else if (override.removes) {
+        take_out(target, steps.back());
+    } else {
+        *target.value = *std::move(value);
+    }
+}
+
+void sweep(ValueTree& tree) {
+    std::erase_if(tree.items, [](const ValueTree& item) { return item.taken_out; });
+    for (ValueTree& item : tree.items) sweep(item);
+    for (ValueTree::Entry& entry : tree.entries) sweep(entry.value);
 }
 
 }    // namespace
 
 void apply_overrides(const std::vector<Override>& overrides, ValueTree& scene, Complaints& complaints) {
     for (const Override& override : overrides) apply(override, scene, complaints);
+    sweep(scene);
 }
 
 }    // namespace stylet::core

@@ -21,12 +21,14 @@ private:
     std::vector<std::string> messages_;
 };
 
-/// `--set key=value`: a dotted path with list indices in brackets (effects[0].rupture_force) and a value in YAML.
+/// `--set key=value`: a dotted path with list indices in brackets (effects[0].rupture_force) and a value in YAML. Or the key, or
+/// the list's item, is taken out, as if the scene had not said it; the items after it keep their indices for other overrides.
 struct Override {
     std::string key;
     std::string value;
     std::string given = "--set " + key;    // by the user, as errors name it
     bool makes_way = false;                // maps on the way to the key that the scene leaves out are made
+    bool removes = false;                  // `value` says nothing then
 };
 
 /// Reads and checks a scene against the declarations of the plugins it names. Throws SceneErrors.

@@ -12,8 +12,9 @@ std::string scene_hash(const std::string& text, const std::vector<Override>& ove
     Sha1 sha;
     sha.add(text);
     for (const Override& override : overrides) {
+        sha.add(override.removes ? "taken out" : "set");
         sha.add(override.key);
-        sha.add(override.value);
+        sha.add(override.removes ? "" : override.value);
     }
     for (const auto& file : files) sha.add(read_bytes(file, std::numeric_limits<std::size_t>::max()));
     return sha.hexadecimal();

@@ -18,6 +18,7 @@ struct ValueTree {
     std::string text;                // of a scalar
     std::vector<ValueTree> items;    // of a list
     std::vector<Entry> entries;      // of a map, in the order written, each key once
+    bool taken_out = false;          // of its list by an override; gone once all overrides are applied
 
     ValueTree() = default;
     ValueTree(Shape is, Place stands, std::string says = "");

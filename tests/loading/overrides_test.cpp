@@ -1,3 +1,4 @@
+#include "core/scene/scene_hash.h"
 #include "test_scenes.h"
 
 #include <gtest/gtest.h>
@@ -74,6 +75,48 @@ TEST(Overrides, SayWhatIsNoListAndWhatIsNoMap) {
     const Messages expected{"--set needle[0]: found a map at 'needle', wanted a list",
                             "--set needle.length.unit: found '200 mm' at 'needle.length', wanted a map"};
     EXPECT_EQ(complaints({{"needle[0]", "x"}, {"needle.length.unit", "m"}}), expected);
+}
+
+Override without(const std::string& key) {
+    return {.key = key, .value = "", .given = "leave_out: " + key, .removes = true};
+}
+
+TEST(Overrides, TakeAKeyOut) {
+    ASSERT_TRUE(good({}).buckling);
+    const Scene scene = good({without("needle.buckling"), without("run.duration")});
+    EXPECT_FALSE(scene.buckling);
+    EXPECT_EQ(scene.run.duration, std::nullopt);
+}
+
+TEST(Overrides, TakeItemsOutByTheIndicesThatTheyHaveInTheScene) {
+    const std::string three =
+        "[{type: friction, per_length: 1 N/m}, {type: fracture, rupture_force: 2 N, toughness: 1 J/m^2},"
+        " {type: friction, per_length: 3 N/m}]";
+    const Scene scene =
+        good({{"effects", three}, without("effects[0]"), {"effects[2].per_length", "4 N/m"}, without("effects[1]")});
+    ASSERT_EQ(scene.effects.size(), 1u);
+    EXPECT_DOUBLE_EQ(scene.effects[0].parameters.number("per_length"), 4.0);
+    EXPECT_EQ(scene.effects[0].path, "effects[0]");
+}
+
+TEST(Overrides, PutBackWhatWasTakenOut) {
+    EXPECT_TRUE(good({without("needle.buckling"), {"needle.buckling", "{type: euler}"}}).buckling);
+    EXPECT_EQ(good({without("effects[0]"), {"effects", "[{type: friction, per_length: 1 N/m}]"}}).effects.size(), 1u);
+}
+
+TEST(Overrides, SayWhatIsNotThereToBeTakenOut) {
+    const Messages no_key{"leave_out: needle.bucklin: found no key 'needle.bucklin' in the scene; did you mean 'buckling'?"};
+    EXPECT_EQ(complaints({without("needle.bucklin")}), no_key);
+    const Messages no_item{"leave_out: effects[2]: found no item [2], 'effects' is a list of 2"};
+    EXPECT_EQ(complaints({without("effects[2]")}), no_item);
+    const Messages gone{"leave_out: effects[1]: found no item [1], it was taken out of 'effects'"};
+    EXPECT_EQ(complaints({without("effects[1]"), without("effects[1]")}), gone);
+}
+
+TEST(Overrides, ThatTakeOutAreAnotherSceneThanThoseThatSetNothing) {
+    const Override nothing{"run.duration", ""};
+    EXPECT_NE(scene_hash("", {without("run.duration")}, {}), scene_hash("", {nothing}, {}));
+    EXPECT_EQ(scene_hash("", {without("run.duration")}, {}), scene_hash("", {without("run.duration")}, {}));
 }
 
 TEST(Overrides, RefuseAMalformedKey) {
