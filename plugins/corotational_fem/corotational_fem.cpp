@@ -16,6 +16,11 @@ double radius_of(const Setup& setup) {
     return setup.needle == nullptr ? 0.0 : setup.needle->radius;
 }
 
+SharedBy shared_by(const Parameters& parameters) {
+    const bool area = parameters.has("load_shared_by") && parameters.text("load_shared_by") == "area";
+    return area ? SharedBy::area : SharedBy::nodes;
+}
+
 std::optional<RegionsFelt> regions_of(const Setup& setup, const Mesh& mesh, const Locator& locator) {
     if (!setup.parameters.has("mesh")) return std::nullopt;
     return RegionsFelt(mesh, locator, setup.tissue->layers, radius_of(setup));
@@ -28,6 +33,7 @@ CorotationalFem::CorotationalFem(const Setup& setup)
       mesh_(mesh_of(setup)),
       materials_(materials_of(setup_)),
       locator_(mesh_),
+      loaded_(shared_by(setup.parameters)),
       spread_(mesh_, radius_of(setup)),
       regions_(regions_of(setup, mesh_, locator_)),
       near_field_(setup_, spread_, regions_ ? &*regions_ : nullptr),
@@ -47,10 +53,9 @@ void CorotationalFem::bear(std::span<const Patch> patches) {
 }
 
 Vector3 CorotationalFem::patch_displacement(int i) const {
-    const std::span<const NodeForce> nodes = loaded_.nodes_of(i);
     Vector3 sum = Vector3::Zero();
-    for (const NodeForce& each : nodes) sum += solver_->displacement(each.node);
-    return sum / static_cast<double>(nodes.size());
+    for (const NodeWeight& each : loaded_.weights_of(i)) sum += each.weight * solver_->displacement(each.node);
+    return sum;
 }
 
 // Asked for the same points twice, neither the mesh nor the near field works for them twice.

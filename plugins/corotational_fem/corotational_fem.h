@@ -3,7 +3,7 @@
 
 #include "contact/near_field.h"
 #include "contact/spread.h"
-#include "loaded_nodes.h"
+#include "load/loaded_nodes.h"
 #include "mesh/locator.h"
 #include "solver.h"
 

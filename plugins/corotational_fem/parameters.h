@@ -25,6 +25,9 @@ inline constexpr Parameter parameters[] = {
     optional(finer_below(number(
         "accuracy", "1", {.least = 1e-5, .greatest = 0.1},
         "of the displacements, what quasi_newton aims at in each step: over a swing a few times as much; wanted with it"))),
+    optional(choice("load_shared_by", "nodes area",
+                    "what bears the force on a patch: the surface's nodes in it, each as much, or the surface's area in it, "
+                    "which is the same load for every mesh; left out, nodes")),
 };
 
 }    // namespace stylet::corotational_fem

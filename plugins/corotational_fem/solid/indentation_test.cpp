@@ -1,4 +1,5 @@
 // Pressing on a half-space: what is measured of locking where it matters to a needle.
+#include "load/patch_weights.h"
 #include "solid/half_space_answers.h"
 #include "solid/test_solids.h"
 
@@ -79,6 +80,32 @@ TEST(Indentation, ASquareSinksAsOnAHalfSpaceOrIsSeenToLock) {
             }
         }
     }
+}
+
+// No node lies on the square's edges, and in two of these meshes it ends within a cell: the load is the same all the same.
+TEST(Indentation, ASquareThatNoMeshFitsSinksAsOnAHalfSpace) {
+    constexpr double size = 1.5 * side, poisson_ratio = 0.49;
+    constexpr double order = 1.0;    // as of squares that fit
+    constexpr double near = 0.03;    // of the answer, in the finest
+    const double exact = mean_sink_of_square(side, 1.0, youngs_modulus, poisson_ratio);
+    std::vector<double> sizes, errors;
+    for (const int cells : {5, 7, 10, 13}) {
+        Supported body(quarter(size, cells), elastic(youngs_modulus, poisson_ratio), true);
+        surround(body, size, [&](const Vector3& x) { return far_from_square(x, side, 1.0, youngs_modulus, poisson_ratio); });
+        const Patch patch{.centre = {0.25 * side, 0.25 * side, 0.0}, .size = {0.5 * side, 0.5 * side, 0.0}};
+        const auto weights = weights_by_area(patch, body.mesh(), boundary_of(body.mesh(), neighbours_of(body.mesh())));
+        VectorX forces = VectorX::Zero(3 * body.mesh().node_count());
+        for (const NodeWeight& each : weights) forces[3 * each.node + 2] = -0.25 * each.weight;
+        const double sink = 4.0 * body.linear(forces).dot(forces);
+        sizes.push_back(1.0 / cells);
+        errors.push_back(1.0 - sink / exact);
+        std::printf("21 mm square over its area, cells of %.2f mm: sinks by %.4f mm, %5.1f %% of %.4f\n", 1e3 * size / cells,
+                    1e3 * sink, 1e2 * sink / exact, 1e3 * exact);
+    }
+    std::printf("fitted order %.2f\n", order_of(sizes, errors));
+    EXPECT_GE(errors.back(), 0.0) << "too stiff, never too soft";
+    EXPECT_LE(errors.back(), near);
+    EXPECT_GE(order_of(sizes, errors), order);
 }
 
 // Hard case 8. A ratio of 0.5 and more never comes here: a scene that has one is refused.
