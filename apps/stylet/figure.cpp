@@ -21,14 +21,14 @@ struct ShownUnit {
 };
 constexpr std::array shown_units{ShownUnit{"m", "mm", 1e3}, ShownUnit{"J", "mJ", 1e3}};
 
-ShownUnit shown(const RecordedColumn& column) {
+ShownUnit shown(const study::RecordedColumn& column) {
     for (const ShownUnit& unit : shown_units) {
         if (column.unit == unit.recorded) return unit;
     }
     return {column.unit.c_str(), column.unit.c_str(), 1.0};
 }
 
-std::string axis_label(const RecordedColumn& column) {
+std::string axis_label(const study::RecordedColumn& column) {
     std::string words = column.name == "travel" ? "hand travel" : column.name == "depth" ? "tip depth" : column.name;
     std::replace(words.begin(), words.end(), '_', ' ');
     words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
@@ -40,9 +40,9 @@ bool finite(const Point& point) {
     return std::isfinite(point.x) && std::isfinite(point.y);
 }
 
-Curve curve_of(const Recording& recording, const std::string& x_name, const std::string& y_name) {
-    const RecordedColumn& x = recording.column(x_name);
-    const RecordedColumn& y = recording.column(y_name);
+Curve curve_of(const study::Recording& recording, const std::string& x_name, const std::string& y_name) {
+    const study::RecordedColumn& x = recording.column(x_name);
+    const study::RecordedColumn& y = recording.column(y_name);
     const double x_factor = shown(x).factor, y_factor = shown(y).factor;
     const auto at = [&](std::size_t row) { return Point{x.values[row] * x_factor, y.values[row] * y_factor}; };
 
@@ -54,7 +54,7 @@ Curve curve_of(const Recording& recording, const std::string& x_name, const std:
         throw Failure(ExitCode::wrong_input,
                       fmt::format("{}: found no row where both {} and {} are finite", recording.file.string(), x_name, y_name));
     }
-    for (const RecordedEvent& event : recording.events) {
+    for (const study::RecordedEvent& event : recording.events) {
         // A picture has no room for the details that follow a colon.
         if (finite(at(event.row))) curve.marks.push_back({at(event.row), event.name.substr(0, event.name.find(": "))});
     }
@@ -64,7 +64,7 @@ Curve curve_of(const Recording& recording, const std::string& x_name, const std:
 /// A curve that comes back within less than a printer's dot needs no further points.
 void thin(Curve& curve, const Figure& figure) {
     constexpr double dot = 1.0 / 4000.0;    // of the picture
-    const double x_dot = dot * (figure.greatest.x - figure.least.x), y_dot = dot * (figure.greatest.y - figure.least.y);
+    const double x_dot = dot * (figure.x.greatest - figure.x.least), y_dot = dot * (figure.y.greatest - figure.y.least);
     std::vector<Point> kept{curve.points.front()};
     for (std::size_t i = 1; i < curve.points.size(); ++i) {
         const Point& point = curve.points[i];
@@ -76,8 +76,8 @@ void thin(Curve& curve, const Figure& figure) {
 
 bool same_place(const Mark& one, const Mark& other, const Figure& figure) {
     constexpr double near = 0.012;    // of the picture
-    return std::hypot((one.at.x - other.at.x) / (figure.greatest.x - figure.least.x),
-                      (one.at.y - other.at.y) / (figure.greatest.y - figure.least.y)) < near;
+    return std::hypot(figure.x.share(one.at.x) - figure.x.share(other.at.x),
+                      figure.y.share(one.at.y) - figure.y.share(other.at.y)) < near;
 }
 
 /// Where a curve has many events, each name is written only once.
@@ -123,6 +123,16 @@ void share_labels(Figure& figure) {
 
 }    // namespace
 
+double Axis::share(double value) const {
+    if (scale == Scale::logarithmic) return std::log(value / least) / std::log(greatest / least);
+    return (value - least) / (greatest - least);
+}
+
+double Axis::at(double share) const {
+    if (scale == Scale::logarithmic) return least * std::pow(greatest / least, share);
+    return std::lerp(least, greatest, share);
+}
+
 void drop_shared_beginning(std::vector<Curve>& curves) {
     if (curves.size() < 2) return;
     constexpr const char* colon = ": ";
@@ -148,15 +158,17 @@ void fit_axes(Figure& figure) {
     const double width = greatest.x > least.x ? greatest.x - least.x : 1.0;
     const double height = greatest.y > least.y ? greatest.y - least.y : 1.0;
     constexpr double side = 0.02, headroom = 0.10, below = 0.06;    // of the data's extent
-    figure.least = {least.x - side * width, least.y < 0.0 ? least.y - below * height : 0.0};
-    figure.greatest = {greatest.x + side * width, greatest.y + headroom * height};
+    figure.x.least = least.x - side * width;
+    figure.x.greatest = greatest.x + side * width;
+    figure.y.least = least.y < 0.0 ? least.y - below * height : 0.0;
+    figure.y.greatest = greatest.y + headroom * height;
 }
 
-Figure figure_of(const std::vector<Recording>& recordings, const std::string& x, const std::string& y) {
+Figure figure_of(const std::vector<study::Recording>& recordings, const std::string& x, const std::string& y) {
     Figure figure;
-    figure.x_label = axis_label(recordings.front().column(x));
-    figure.y_label = axis_label(recordings.front().column(y));
-    for (const Recording& recording : recordings) figure.curves.push_back(curve_of(recording, x, y));
+    figure.x.label = axis_label(recordings.front().column(x));
+    figure.y.label = axis_label(recordings.front().column(y));
+    for (const study::Recording& recording : recordings) figure.curves.push_back(curve_of(recording, x, y));
     if (figure.curves.size() == 1) figure.title = figure.curves.front().name;
     drop_shared_beginning(figure.curves);
     fit_axes(figure);

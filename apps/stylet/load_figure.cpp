@@ -89,8 +89,8 @@ void space_out(Curve& curve, const Figure& figure) {
     constexpr double apart = 0.035;    // of the picture
     std::vector<Point> kept;
     for (const Point& point : curve.points) {
-        const bool far = kept.empty() || std::hypot((point.x - kept.back().x) / (figure.greatest.x - figure.least.x),
-                                                    (point.y - kept.back().y) / (figure.greatest.y - figure.least.y)) > apart;
+        const bool far = kept.empty() || std::hypot(figure.x.share(point.x) - figure.x.share(kept.back().x),
+                                                    figure.y.share(point.y) - figure.y.share(kept.back().y)) > apart;
         if (far) kept.push_back(point);
     }
     curve.points = std::move(kept);
@@ -119,7 +119,7 @@ void dot_what_agrees(std::vector<SceneCurves>& scenes, const std::vector<std::st
             lines.push_back(model);
             continue;
         }
-        for (SceneCurves& scene : scenes) curve_of_model(scene, model)->dotted = true;
+        for (SceneCurves& scene : scenes) curve_of_model(scene, model)->look = Look::dots;
     }
 }
 
@@ -148,7 +148,9 @@ std::vector<Curve> load_curves(const CriticalLoads& loads) {
     dot_what_agrees(scenes, loads.models());
     std::vector<Curve> curves;
     for (SceneCurves& scene : scenes) std::ranges::move(scene.curves, std::back_inserter(curves));
-    for (Curve& curve : curves) curve.dotted |= curve.points.size() == 1;    // a line of one point is nothing
+    for (Curve& curve : curves) {
+        if (curve.points.size() == 1) curve.look = Look::dots;    // a line of one point is nothing
+    }
     return curves;
 }
 
@@ -187,8 +189,8 @@ Figure figure_of(const CriticalLoads& loads) {
         throw Failure(ExitCode::wrong_command,
                       "--plot: found one point of each curve, wanted an interval such as --depth 0..50mm");
     Figure figure;
-    figure.x_label = with_unit(loads.along_depth ? "Inserted length" : loads.axis, loads.unit);
-    figure.y_label = loads.stiffness ? "Foundation stiffness by Eq. (3) (kPa)" : "Critical load (N)";
+    figure.x.label = with_unit(loads.along_depth ? "Inserted length" : loads.axis, loads.unit);
+    figure.y.label = loads.stiffness ? "Foundation stiffness by Eq. (3) (kPa)" : "Critical load (N)";
     const bool one_scene = loads.scenes.size() == 1, one_model = loads.models().size() == 1;
     figure.title = one_scene ? loads.scenes.front().title : one_model ? loads.models().front() : "";
     figure.curves = load_curves(loads);
@@ -201,7 +203,7 @@ Figure figure_of(const CriticalLoads& loads) {
         figure.title += fmt::format("{}{:.4g} mm inserted", figure.title.empty() ? "" : ", ", kilo * loads.depth);
     fit_axes(figure);
     for (Curve& curve : figure.curves) {
-        if (curve.dotted) space_out(curve, figure);
+        if (curve.look == Look::dots) space_out(curve, figure);
     }
     return figure;
 }

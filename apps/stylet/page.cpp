@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <sstream>
 #include <utility>
 
 namespace stylet::app {
@@ -62,12 +63,6 @@ bool cross(const Line& one, const Line& other) {
     return side(one, other.first) != side(one, other.second) && side(other, one.first) != side(other, one.second);
 }
 
-std::size_t pixel_index(const Point& point) {
-    const auto column = static_cast<std::size_t>(std::clamp(point.x, 0.0, Page::width - 1.0));
-    const auto row = static_cast<std::size_t>(std::clamp(point.y, 0.0, Page::height - 1.0));
-    return row * static_cast<std::size_t>(Page::width) + column;
-}
-
 /// The widest of gnuplot's numbers beside an axis from 0 to here, which it sets some four to twenty of.
 double tick_width(double greatest) {
     const double power = std::pow(10.0, std::floor(std::log10(greatest))), first = greatest / power;
@@ -82,26 +77,82 @@ double tick_width(double greatest) {
     return widest;
 }
 
+double widest_tick(const Axis& axis) {
+    if (axis.ticks.empty()) return tick_width(axis.greatest);
+    double widest = 0.0;
+    for (const Tick& tick : axis.ticks) widest = std::max(widest, text_width(tick.text, Page::font));
+    return widest;
+}
+
 /// Where the plot begins: room for the y axis' numbers, and its label beside them.
 double left_margin(const Figure& figure) {
-    constexpr double label = 44.0, usual = 78.0;    // [pixels] most pictures' numbers have three characters at most
-    return std::max(usual, label + tick_width(figure.greatest.y));
+    constexpr double numbers = 16.0, label = 28.0,
+                     usual = 78.0;    // [pixels] most pictures' numbers have three characters at most
+    const double taken = numbers + widest_tick(figure.y) + (figure.y.label.empty() ? 0.0 : label);
+    return figure.y.ticks.empty() ? std::max(usual, taken) : taken;
+}
+
+/// What is beside the plot on the right, above it and below it.
+double right_margin(const Figure& figure) {
+    double widest = 12.0;
+    for (const Guide& guide : figure.y.guides)
+        widest = std::max(widest, Page::guide_gap + text_width(guide.text, Page::label_font));
+    return widest + 6.0;
+}
+
+double top_margin(const Figure& figure) {
+    return (figure.title.empty() ? 16.0 : 46.0) + (figure.x.guides.empty() ? 0.0 : Page::guide_line);
+}
+
+std::vector<std::string> note_lines(const Figure& figure) {
+    const double letter = text_width("x", Page::label_font), room = figure.width - 2.0 * Page::note_margin;
+    std::vector<std::string> lines;
+    for (const std::string& note : figure.notes) {
+        std::istringstream text(wrapped(note, 0, static_cast<std::size_t>(room / letter)));
+        for (std::string line; std::getline(text, line);) lines.push_back(line);
+    }
+    return lines;
+}
+
+double height_of(const std::vector<std::string>& notes) {
+    constexpr double gap = 8.0;
+    return notes.empty() ? 0.0 : gap + Page::note_line * static_cast<double>(notes.size());
 }
 
 }    // namespace
 
 Page::Page(const Figure& figure)
-    : figure_(figure), plot_{left_margin(figure), figure.title.empty() ? 16.0 : 46.0, width - 18.0, height - 62.0} {
+    : figure_(figure),
+      notes_(note_lines(figure)),
+      height_(figure.height + height_of(notes_)),
+      plot_{left_margin(figure), top_margin(figure), figure.width - right_margin(figure), figure.height - 62.0} {
     trace_curves();
-    if (figure.curves.size() > 1) place_key();
+    for (std::size_t c = 0; c < figure.curves.size(); ++c) {
+        if (!figure.curves[c].name.empty()) keyed_.push_back(c);
+    }
+    if (figure.curves.size() > 1 && !keyed_.empty()) place_key();
     if (key_ && cover(*key_) > 0.0) place_key_above();
     place_labels();
 }
 
 Point Page::pixel(const Point& point) const {
-    const double x = (point.x - figure_.least.x) / (figure_.greatest.x - figure_.least.x);
-    const double y = (point.y - figure_.least.y) / (figure_.greatest.y - figure_.least.y);
-    return {plot_.left + x * (plot_.right - plot_.left), plot_.bottom - y * (plot_.bottom - plot_.top)};
+    return {std::lerp(plot_.left, plot_.right, figure_.x.share(point.x)),
+            std::lerp(plot_.bottom, plot_.top, figure_.y.share(point.y))};
+}
+
+std::size_t Page::pixel_index(const Point& point) const {
+    const auto column = static_cast<std::size_t>(std::clamp(point.x, 0.0, width() - 1.0));
+    const auto row = static_cast<std::size_t>(std::clamp(point.y, 0.0, height_ - 1.0));
+    return row * static_cast<std::size_t>(width()) + column;
+}
+
+Point Page::note(std::size_t line) const {
+    return {note_margin, height_ - note_line * (static_cast<double>(notes_.size() - line) - 0.2)};
+}
+
+void Page::trace(const Point& from, const Point& to) {
+    const std::vector<Point> piece = stepped(from, to);
+    traces_.insert(traces_.end(), piece.begin(), piece.end());
 }
 
 void Page::trace_curves() {
@@ -109,17 +160,25 @@ void Page::trace_curves() {
     markers_.clear();
     for (const Curve& curve : figure_.curves) {
         for (std::size_t i = 1; i < curve.points.size(); ++i) {
-            const std::vector<Point> piece = stepped(pixel(curve.points[i - 1]), pixel(curve.points[i]));
-            traces_.insert(traces_.end(), piece.begin(), piece.end());
+            const Point from = pixel(curve.points[i - 1]), to = pixel(curve.points[i]);
+            if (std::isfinite(from.x + from.y + to.x + to.y)) trace(from, to);
         }
         for (const Mark& mark : curve.marks) markers_.push_back(pixel(mark.at));
     }
-    inked_.assign(static_cast<std::size_t>(width * height), false);
+    inked_.assign(static_cast<std::size_t>(width() * height_), false);
     for (const Point& point : traces_) {
         for (const double x : {-1.0, 0.0, 1.0}) {
             for (const double y : {-1.0, 0.0, 1.0}) inked_[pixel_index({point.x + x, point.y + y})] = true;
         }
     }
+    // A leader may cross these; a label had better not lie on them.
+    for (const Curve& curve : figure_.curves) {
+        for (const Mark& mark : curve.marks) {
+            if (mark.reach) trace(pixel({mark.reach->first, mark.at.y}), pixel({mark.reach->second, mark.at.y}));
+        }
+    }
+    for (const Guide& guide : figure_.x.guides) trace(pixel({guide.at, figure_.y.least}), pixel({guide.at, figure_.y.greatest}));
+    for (const Guide& guide : figure_.y.guides) trace(pixel({figure_.x.least, guide.at}), pixel({figure_.x.greatest, guide.at}));
 }
 
 double Page::cover(const Box& box) const {
@@ -132,25 +191,26 @@ double Page::cover(const Box& box) const {
 /// The key's box with its entries in columns, read down.
 void Page::fill_key(double left, double top, std::size_t columns) {
     double longest = 0.0;
-    for (const Curve& curve : figure_.curves) longest = std::max(longest, text_width(curve.name, font));
+    for (const std::size_t curve : keyed_) longest = std::max(longest, text_width(figure_.curves[curve].name, font));
     key_column_ = key_sample + longest + (columns > 1 ? 20.0 : 8.0);
-    key_rows_ = (figure_.curves.size() + columns - 1) / columns;
+    key_rows_ = (keyed_.size() + columns - 1) / columns;
     key_ = {left, top, left + key_column_ * static_cast<double>(columns),
             top + key_line * static_cast<double>(key_rows_) + 2.0 * key_edge};
 }
 
-Point Page::key_entry(std::size_t curve) const {
-    return {key_->left + key_column_ * static_cast<double>(curve / key_rows_),
-            key_->top + key_edge + key_line * (static_cast<double>(curve % key_rows_) + 0.5)};
+Point Page::key_entry(std::size_t entry) const {
+    return {key_->left + key_column_ * static_cast<double>(entry / key_rows_),
+            key_->top + key_edge + key_line * (static_cast<double>(entry % key_rows_) + 0.5)};
 }
 
 /// Where no place among the curves is free, the plot gives up some of its height.
 void Page::place_key_above() {
     fill_key(0.0, 0.0, 2);
-    const double room = width - plot_.left;
+    const double room = width() - plot_.left;
+    const double guides = figure_.x.guides.empty() ? 0.0 : guide_line;
     const auto columns = static_cast<std::size_t>(std::clamp(room / key_column_, 1.0, 3.0));
-    fill_key(plot_.left, plot_.top - 8.0, columns);
-    plot_.top = key_->bottom + 4.0;
+    fill_key(plot_.left, plot_.top - guides - 8.0, columns);
+    plot_.top = key_->bottom + guides + 4.0;
     trace_curves();
 }
 

@@ -34,24 +34,34 @@ struct PlacedLabel {
 
 class Page {
 public:
-    static constexpr double width = 640.0, height = 440.0;    // [pixels], 169 mm × 116 mm in print
     static constexpr double font_points = 12.0, label_font_points = 10.5;
     static constexpr double pixels_per_point = 96.0 / 72.0;
     static constexpr double font = font_points * pixels_per_point, label_font = label_font_points * pixels_per_point;
 
     explicit Page(const Figure& figure);
 
-    [[nodiscard]] const Box& plot() const { return plot_; }                 // the axes' rectangle
-    [[nodiscard]] const std::optional<Box>& key() const { return key_; }    // none for a single curve
-    [[nodiscard]] Point key_entry(std::size_t curve) const;                 // left end of its sample, at half its height
+    [[nodiscard]] double width() const { return figure_.width; }
+    [[nodiscard]] double height() const { return height_; }
+    [[nodiscard]] const Box& plot() const { return plot_; }                           // the axes' rectangle
+    [[nodiscard]] const std::optional<Box>& key() const { return key_; }              // none for a single curve
+    [[nodiscard]] const std::vector<std::size_t>& keyed() const { return keyed_; }    // the curves that it names
+    [[nodiscard]] Point key_entry(std::size_t entry) const;    // left end of its sample, at half its height
     [[nodiscard]] const std::vector<PlacedLabel>& labels() const { return labels_; }
+    [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }    // lines
+    [[nodiscard]] Point note(std::size_t line) const;                                 // its left end, at half its height
     [[nodiscard]] Point pixel(const Point& point) const;
 
     static constexpr double key_line = 1.35 * font;     // height of one entry
     static constexpr double key_sample = 3.2 * font;    // width of its piece of line with the gap to the text
 
+    static constexpr double guide_gap = 6.0;                  // between the plot and a guide's text beside it
+    static constexpr double guide_line = 1.3 * label_font;    // height of those above it
+    static constexpr double note_line = 1.35 * label_font, note_margin = 16.0;
+
 private:
+    void trace(const Point& from, const Point& to);
     void trace_curves();
+    [[nodiscard]] std::size_t pixel_index(const Point& point) const;
     void place_key();
     void place_key_above();
     void fill_key(double left, double top, std::size_t columns);
@@ -63,8 +73,11 @@ private:
     [[nodiscard]] double cover(const Box& box) const;    // length of curve under it, in pixels
 
     const Figure& figure_;
+    std::vector<std::string> notes_;
+    double height_;    // [pixels]
     Box plot_;
-    std::vector<Point> traces_;    // points along all curves, one a few pixels from the next
+    std::vector<std::size_t> keyed_;
+    std::vector<Point> traces_;    // points along all that is drawn, one a few pixels from the next
     std::vector<bool> inked_;      // pixels, row by row, that a curve covers
     std::vector<Point> markers_;
     std::optional<Box> key_;

@@ -1,0 +1,21 @@
+// Logarithmic axes with a number at every decade.
+#pragma once
+
+#include "apps/stylet/figure.h"
+
+#include <functional>
+#include <string>
+
+namespace stylet::app {
+
+/// From `least` to `greatest`, both positive, with room on either side. `number` writes one beside a tick.
+[[nodiscard]] Axis log_axis(const std::string& label, double least, double greatest,
+                            const std::function<std::string(double)>& number);
+
+/// Of microseconds: "2 µs", "100 ms".
+[[nodiscard]] std::string time_number(double us);
+
+/// Of per cent: "0.1 %", "10⁻⁷ %".
+[[nodiscard]] std::string per_cent_number(double per_cent);
+
+}    // namespace stylet::app
