@@ -1,6 +1,6 @@
 #include "apps/stylet/command.h"
 #include "apps/stylet/gnuplot.h"
-#include "apps/stylet/recording_file.h"
+#include "apps/study/recording_file.h"
 
 #include <fmt/format.h>
 
@@ -41,8 +41,8 @@ fs::path stem_of(const PlotArguments& arguments) {
 }
 
 ExitCode plot(const PlotArguments& arguments) {
-    std::vector<Recording> recordings;
-    for (const std::string& file : arguments.recordings) recordings.push_back(read_recording(file));
+    std::vector<study::Recording> recordings;
+    for (const std::string& file : arguments.recordings) recordings.push_back(study::read_recording(file));
     Figure figure = figure_of(recordings, arguments.x, arguments.y);
     if (arguments.title) figure.title = *arguments.title;
     const PictureFiles files = draw(figure, stem_of(arguments));

@@ -1,10 +1,11 @@
 // Any bytes as a recording that `stylet plot` is given: it is read whole, or refused with one sentence.
-#include "apps/stylet/failure.h"
-#include "apps/stylet/recording_file.h"
+#include "apps/study/recording_file.h"
 
 #include "tests/fuzzing/input_file.h"
 
-namespace stylet::app {
+#include <stylet/error.h>
+
+namespace stylet::study {
 namespace {
 
 void check(const Recording& recording) {
@@ -18,7 +19,7 @@ void check(const Recording& recording) {
 }
 
 }    // namespace
-}    // namespace stylet::app
+}    // namespace stylet::study
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace stylet;
@@ -26,10 +27,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::filesystem::path file = folder.path() / "recording.csv";
     fuzzing::write(file, fuzzing::bytes_of(data, size));
     try {
-        app::check(app::read_recording(file));
-    } catch (const app::Failure& failure) {
-        fuzzing::demand_sentence(failure.what());
-        fuzzing::demand_printable(failure.what());
+        study::check(study::read_recording(file));
+    } catch (const Error& error) {
+        fuzzing::demand_sentence(error.what());
+        fuzzing::demand_printable(error.what());
     }
     return 0;
 }
