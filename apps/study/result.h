@@ -10,7 +10,7 @@ namespace stylet::study {
 /// Of what was timed, over all its repetitions and cases.
 struct Timing {
     double median = 0.0, p99 = 0.0, worst = 0.0;    // [µs]
-    double waited = 0.0;       // share of the wall time in which the machine did not run us, in the quietest repetition
+    double waited = 0.0;       // share of the wall time in which the machine did not run us, of the repetitions that count
     bool contended = false;    // it was too much of it, however often the run was repeated
 };
 
@@ -24,11 +24,11 @@ struct SettingResult {
     std::string series;    // "rod"
     std::string label;     // "41 nodes"; empty where the series is one setting
     ErrorOfCases error;
-    std::optional<Timing> timing{};                         // of what was timed
-    std::optional<ErrorOfCases> split_part, split_rest;     // where the study splits the error
-    std::vector<std::string> remarks{};                     // "never punctured", "found no equilibrium in 3 ticks"
-    bool on_front = false;                                  // no other setting is both cheaper and nearer
-    bool failed = false;                                    // its error is not finite
+    std::optional<Timing> timing{};                        // of what was timed
+    std::optional<ErrorOfCases> split_part{}, split_rest{};    // where the study splits the error
+    std::vector<std::string> remarks{};                    // "never punctured", "found no equilibrium in 3 ticks"
+    bool on_front = false;                                 // no other setting is both cheaper and nearer
+    bool failed = false;                                   // its error is not finite
 
     /// "rod, 41 nodes"
     [[nodiscard]] std::string name() const { return label.empty() ? series : series + ", " + label; }
@@ -54,19 +54,19 @@ struct Machine {
 struct Result {
     std::string title;
     std::string question;
-    std::string scene;         // files' names, as the study gives them
-    std::string measured;      // "RMS of hand_force over travel, as a share of its largest value"
-    std::string reference;     // "elliptic integrals (closed form)"
-    std::string judged;        // "median of 200 cases"; empty where there is one
+    std::string scene;        // files' names, as the study gives them
+    std::string measured;     // "RMS of hand_force over travel, as a share of its largest value"
+    std::string reference;    // "elliptic integrals (closed form)"
+    std::string judged;       // "median of 200 cases"; empty where there is one
     Timed timed;
     int repetitions, threads;
     std::optional<std::pair<std::string, std::string>> split{};    // the parts' names
     std::vector<SettingResult> settings{};
     std::optional<Timing> reference_timing{};    // where the reference is one timed run
     std::vector<FittedOrder> orders{};
-    std::vector<std::string> verdict{};          // sentences to end with
+    std::vector<std::string> verdict{};    // sentences to end with
     Machine machine;
-    std::string command;    // that makes it again
+    std::string command;     // that makes it again
     bool stopped = false;    // before all was run: what is missing is left out
 };
 

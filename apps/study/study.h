@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -41,6 +42,9 @@ enum class Judge : std::uint8_t { rms, median, p95, worst };
 /// RMS of a recorded column's difference over another one, as a share of the reference's largest value.
 struct CurveMeasure {
     std::string column, over;
+    double from = -std::numeric_limits<double>::infinity(), to = std::numeric_limits<double>::infinity();    // of `over` [SI]
+
+    [[nodiscard]] bool holds(double x) const { return from <= x && x <= to; }
 };
 /// What a run's summary says in the end: peak_hand_force, largest_deflection, or a column's last value.
 struct ValueMeasure {
@@ -99,7 +103,7 @@ struct Study {
     Measure measure;
     Reference reference;
     std::optional<Split> split;
-    bool fit_order = false;    // of the error in the varied key, for each series
+    std::string fit_order{};    // a varied key: of the error in it, for each series; empty: none
     Timed timed = Timed::tick;
     int repetitions = 1;
     int threads = 1;

@@ -1,5 +1,6 @@
 #include "apps/stylet/column_at_depth.h"
 
+#include "apps/study/inserted_column.h"
 #include "core/scene/complaints.h"
 #include "core/scene/reader.h"
 
@@ -20,14 +21,9 @@ constexpr double rounding = 1e-9;    // of a length: sums and units written in d
 
 }    // namespace
 
-double deepest(const core::Scene& scene) {
-    if (!scene.tissue_setup) return 0.0;
-    return std::min(scene.needle_setup->length, scene.tissue_setup->extent.z());
-}
-
 Column column_at_depth(const core::Scene& scene, double depth, const std::string& gave) {
     const NeedleSetup& needle = *scene.needle_setup;
-    const double most = deepest(scene);
+    const double most = study::deepest(scene);
     if (!(depth >= 0.0 && depth <= most * (1.0 + rounding))) {
         const char* const why = !scene.tissue          ? "the scene has no tissue"
                                 : most < needle.length ? "the tissue's height"
@@ -35,13 +31,7 @@ Column column_at_depth(const core::Scene& scene, double depth, const std::string
         refuse(scene, fmt::format("--depth: found {}, wanted {} ({})", core::quote(gave),
                                   most > 0.0 ? fmt::format("0 m to {:g} m", most) : "0 m", why));
     }
-    const double inserted = std::min(depth, most);
-    return {.bending_stiffness = needle.bending_stiffness(),
-            .free_length = needle.length - inserted,
-            .inserted = inserted,
-            .depth = inserted,
-            .radius = needle.radius,
-            .ends = needle.ends};
+    return study::inserted_column(scene, std::min(depth, most));
 }
 
 double equivalent_stiffness(const core::Scene& scene, const Column& column, double load) {

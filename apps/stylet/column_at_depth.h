@@ -8,9 +8,6 @@
 
 namespace stylet::app {
 
-/// How deep the tip of the scene's needle can be [m].
-[[nodiscard]] double deepest(const core::Scene& scene);
-
 /// The scene's needle as a column, its tip at a depth [m] that it reached at a right angle. Throws core::SceneErrors, which
 /// quotes what the user `gave`, where it cannot be there.
 [[nodiscard]] Column column_at_depth(const core::Scene& scene, double depth, const std::string& gave);

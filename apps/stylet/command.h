@@ -21,5 +21,7 @@ Command scenes_command(CLI::App& line);
 Command plot_command(CLI::App& line);
 Command schema_command(CLI::App& line);
 Command critical_load_command(CLI::App& line);
+Command study_command(CLI::App& line);
+Command advise_command(CLI::App& line);
 
 }    // namespace stylet::app

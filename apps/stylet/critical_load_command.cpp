@@ -74,6 +74,14 @@ std::vector<AskedModel> asked_models(const std::vector<std::string>& texts) {
     return models;
 }
 
+study::Interval read_interval(const char* option, const std::string& text) {
+    try {
+        return study::read_interval(text);
+    } catch (const Error& error) {
+        throw Failure(ExitCode::wrong_command, fmt::format("{}: {}", option, error.what()));
+    }
+}
+
 VariedKey varied_key(const std::string& text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0) {
@@ -88,8 +96,8 @@ VariedKey varied_key(const std::string& text) {
         fmt::format("--vary: found {}, wanted an interval such as 0.1..1mm (--set gives one value)", core::quote(text)));
 }
 
-Interval depth_of(const std::string& text) {
-    Interval depth = read_interval("--depth", text);
+study::Interval depth_of(const std::string& text) {
+    study::Interval depth = read_interval("--depth", text);
     const core::Quantity quantity = core::read_quantity(depth.quantity(depth.to), "m");
     if (quantity.problem.empty()) return depth;
     throw Failure(ExitCode::wrong_command, fmt::format("--depth: found {}, wanted {}, or an interval such as 0..50mm",

@@ -1,7 +1,7 @@
 // The critical loads of needles by one or more models, along the insertion or along any key of the scene.
 #pragma once
 
-#include "apps/stylet/interval.h"
+#include "apps/study/interval.h"
 #include "apps/stylet/load_models.h"
 #include "core/loading/plugin_folders.h"
 
@@ -14,18 +14,18 @@ namespace stylet::app {
 /// A key of the scene, and what it is to become.
 struct VariedKey {
     std::string key;    // needle.radius
-    Interval values;
+    study::Interval values;
 };
 
 struct LoadQuestion {
     std::vector<std::string> scenes;    // files
     std::vector<core::Override> overrides;
     core::PluginFolders folders;
-    std::vector<AskedModel> models;     // none: each scene's own
-    std::optional<Interval> depth;      // none: the whole insertion, or the surface where a key varies
-    std::optional<VariedKey> varied;    // goes with one depth
-    int points = 51;                    // of an interval
-    bool stiffness = false;             // Eq. (3)'s spring constant, too
+    std::vector<AskedModel> models;          // none: each scene's own
+    std::optional<study::Interval> depth;    // none: the whole insertion, or the surface where a key varies
+    std::optional<VariedKey> varied;         // goes with one depth
+    int points = 51;                         // of an interval
+    bool stiffness = false;                  // Eq. (3)'s spring constant, too
 };
 
 /// One model's answers for one scene.

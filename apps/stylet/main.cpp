@@ -22,6 +22,8 @@ constexpr const char* more =
   stylet run scenes/paper/fig10a_l150.yaml    simulate one; its recording goes to out/
   stylet plot out/fig10a_l150.csv             draw force against depth
   stylet critical-load scenes/paper/fig9.yaml tell at which force its needle buckles
+  stylet study scenes/studies/time_step.yaml  tell what accuracy costs in time
+  stylet advise scenes/paper/fig9.yaml        tell which models and resolution to take for it
   stylet plugins                              the models that a scene can name
 
 Exit codes:
@@ -64,9 +66,9 @@ int main_of(int argc, char** argv) {
     line.set_version_flag("--version", "stylet " STYLET_VERSION, "Show the version");
     line.set_help_flag("-h,--help", "Show this help");
     line.require_subcommand(0, 1);
-    const std::vector<Command> commands{run_command(line),          check_command(line), plugins_command(line),
-                                        scenes_command(line),       plot_command(line),  schema_command(line),
-                                        critical_load_command(line)};
+    const std::vector<Command> commands{run_command(line),           check_command(line), plugins_command(line),
+                                        scenes_command(line),        plot_command(line),  schema_command(line),
+                                        critical_load_command(line), study_command(line), advise_command(line)};
     try {
         line.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -79,7 +81,8 @@ int main_of(int argc, char** argv) {
         return complain("stylet: what was printed could not be written (is the disk full?)", ExitCode::missing);
     }
     return complain(
-        "stylet: found no command, wanted run, check, plugins, scenes, plot, schema or critical-load; stylet --help tells more",
+        "stylet: found no command, wanted run, check, plugins, scenes, plot, schema, critical-load, study or advise; "
+        "stylet --help tells more",
         ExitCode::wrong_command);
 }
 

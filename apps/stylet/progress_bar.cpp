@@ -18,7 +18,7 @@ ProgressBar::~ProgressBar() {
     if (drawn_) fmt::print(stderr, "\r\033[K");
 }
 
-void ProgressBar::show(double fraction) {
+void ProgressBar::show(double fraction, const std::string& label) {
     const Clock::time_point now = Clock::now();
     if (!terminal_ || now < next_) return;
     next_ = now + 100ms;
@@ -27,7 +27,7 @@ void ProgressBar::show(double fraction) {
     const double share = std::clamp(fraction, 0.0, 1.0);
     const auto full = static_cast<std::size_t>(std::lround(share * cells));
     fmt::print(stderr, "\r\033[K[{}{}] {:3.0f} %  {}", std::string(full, '#'), std::string(cells - full, '.'), share * 100.0,
-               label_);
+               label);
     std::fflush(stderr);
 }
 

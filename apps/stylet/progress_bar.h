@@ -13,7 +13,10 @@ public:
     ProgressBar& operator=(const ProgressBar&) = delete;
     ~ProgressBar();
 
-    void show(double fraction);    // from 0 to 1
+    void show(double fraction) { show(fraction, label_); }    // from 0 to 1
+
+    /// With another label than the bar's own.
+    void show(double fraction, const std::string& label);
 
 private:
     using Clock = std::chrono::steady_clock;

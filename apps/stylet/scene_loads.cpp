@@ -1,8 +1,9 @@
 #include "apps/stylet/scene_loads.h"
 
 #include "apps/stylet/column_at_depth.h"
-#include "apps/stylet/gathered_errors.h"
+#include "apps/study/gathered_errors.h"
 #include "apps/stylet/insertion_force.h"
+#include "apps/study/inserted_column.h"
 #include "core/loading/loaded.h"
 #include "core/scene/units.h"
 
@@ -112,14 +113,14 @@ private:
 
     /// Where the next scene of a key that goes in whole numbers could be.
     [[nodiscard]] std::string hint(double point) const {
-        const Interval& values = question_.varied->values;
+        const study::Interval& values = question_.varied->values;
         const auto whole = [](double value) { return value == std::floor(value); };
         if (!values.unit.empty() || !whole(values.from) || !whole(values.to) || whole(point)) return "";
         return fmt::format("; --points {:.0f} goes from {:.0f} to {:.0f} in whole numbers", values.to - values.from + 1.0,
                            values.from, values.to);
     }
 
-    [[nodiscard]] Column column(const core::Scene& scene, const Interval& depth, double point) const {
+    [[nodiscard]] Column column(const core::Scene& scene, const study::Interval& depth, double point) const {
         return column_at_depth(scene, core::read_quantity(depth.quantity(point), "m").value, depth.text);
     }
 
@@ -143,14 +144,14 @@ private:
     }
 
     /// Evenly spaced, and the borders of the layers between them: there the load has its kinks.
-    [[nodiscard]] std::vector<double> depth_points(const core::Scene& scene, const Interval& depth) const {
+    [[nodiscard]] std::vector<double> depth_points(const core::Scene& scene, const study::Interval& depth) const {
         std::vector<double> points = depth.values(question_.points);
         if (depth.one_value() || !scene.tissue_setup) return points;
         const core::Quantity unit = core::read_quantity(depth.quantity(1.0), "m");    // [m] of one on the axis
         double border = 0.0;                                                          // [m]
         for (const Layer& layer : scene.tissue_setup->layers) {
             border += layer.thickness;
-            const double point = rounded(border / unit.value);
+            const double point = study::rounded(border / unit.value);
             const auto next = std::ranges::lower_bound(points, point);
             if (next != points.begin() && next != points.end() && *next != point) points.insert(next, point);
         }
@@ -160,9 +161,9 @@ private:
     /// The scene stays what it is: each model and each effect is made once.
     void along_depth(const core::Scene& scene) {
         constexpr double mm = 1e-3;    // [m]
-        const Interval depth = question_.depth.value_or(Interval{0.0, deepest(scene) / mm, "mm", ""});
+        const study::Interval depth = question_.depth.value_or(study::Interval{0.0, study::deepest(scene) / mm, "mm", ""});
         loads_.points = depth_points(scene, depth);
-        GatheredErrors errors;
+        study::GatheredErrors errors;
         errors.gather([&] {
             for (const double end : {loads_.points.front(), loads_.points.back()}) (void)column(scene, depth, end);
         });
@@ -178,7 +179,7 @@ private:
         errors.throw_if_any();
     }
 
-    void ask_along_depth(const AskedModel& asked, const Interval& depth, std::optional<InsertionForce>& force,
+    void ask_along_depth(const AskedModel& asked, const study::Interval& depth, std::optional<InsertionForce>& force,
                          LoadCurve& curve) const {
         const core::Scene with = read({}, asked.overrides);
         core::Loaded<BucklingModel> model(with, *with.buckling, question_.folders);
@@ -197,7 +198,7 @@ private:
     void along_key() {
         loads_.points = question_.varied->values.values(question_.points);
         for (const double point : loads_.points) {
-            GatheredErrors errors;
+            study::GatheredErrors errors;
             errors.gather([&] { add_forces_at(point, loads_.puncture, loads_.insertion); });
             for (std::size_t m = 0; m < models_.size(); ++m)
                 errors.gather([&] { add_load_at(point, models_[m], loads_.curves[m]); });
@@ -219,7 +220,7 @@ private:
         }
     }
 
-    [[nodiscard]] Interval one_depth() const { return question_.depth.value_or(Interval{0.0, 0.0, "mm", ""}); }
+    [[nodiscard]] study::Interval one_depth() const { return question_.depth.value_or(study::Interval{0.0, 0.0, "mm", ""}); }
 
     void add_forces_at(double point, std::vector<double>& puncture, std::vector<double>& insertion) const {
         const core::Scene scene = read(varied(point), first_model());

@@ -52,6 +52,11 @@ std::span<const Column> all_columns() {
     return columns;
 }
 
+const Column* column_named(std::string_view name) {
+    const auto found = std::ranges::find(columns, name, [](const Column& column) { return std::string_view(column.name); });
+    return found == columns.end() ? nullptr : &*found;
+}
+
 std::vector<Column> columns_of(const std::vector<std::string>& record) {
     std::vector<Column> chosen{columns.front()};
     const auto choose = [&](const Column& column) {

@@ -60,6 +60,9 @@ struct Column {
 /// Every column there is, in the order of Sample.
 [[nodiscard]] std::span<const Column> all_columns();
 
+/// nullptr where there is none of this name.
+[[nodiscard]] const Column* column_named(std::string_view name);
+
 /// The columns that a scene's `record` names; "ledger" stands for all the energies. `time` always comes first.
 [[nodiscard]] std::vector<Column> columns_of(const std::vector<std::string>& record);
 

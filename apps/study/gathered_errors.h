@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace stylet::app {
+namespace stylet::study {
 
 /// Gathers errors, each once: what is wrong with a scene may be met more than once.
 class GatheredErrors {
@@ -33,4 +33,4 @@ private:
     std::vector<std::string> messages_;
 };
 
-}    // namespace stylet::app
+}    // namespace stylet::study

@@ -1,7 +1,8 @@
-#include "apps/stylet/interval.h"
+#include "apps/study/interval.h"
 
-#include "apps/stylet/failure.h"
 #include "core/scene/complaints.h"
+
+#include <stylet/error.h>
 
 #include <fmt/format.h>
 
@@ -9,7 +10,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace stylet::app {
+namespace stylet::study {
 namespace {
 
 std::string_view trimmed(std::string_view text) {
@@ -24,14 +25,13 @@ struct Value {
     std::string unit;
 };
 
-Value read_value(const std::string& option, const std::string& whole, std::string_view text) {
+Value read_value(const std::string& whole, std::string_view text) {
     const std::string_view rest = trimmed(text);
     double number = 0.0;
     const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
     if (error != std::errc{} || !std::isfinite(number)) {
-        throw Failure(ExitCode::wrong_command,
-                      fmt::format("{}: found {}, wanted a quantity such as '30 mm' or an interval such as 0..50mm", option,
-                                  core::quote(whole)));
+        throw Error(
+            fmt::format("found {}, wanted a quantity such as '30 mm' or an interval such as 0..50mm", core::quote(whole)));
     }
     return {number, std::string(trimmed(rest.substr(static_cast<std::size_t>(end - rest.data()))))};
 }
@@ -45,10 +45,15 @@ double rounded(double value) {
     return read;
 }
 
-std::vector<double> Interval::values(int count) const {
+double Interval::at(double share, Spacing spacing) const {
+    if (spacing == Spacing::linear) return std::lerp(from, to, share);
+    return std::exp(std::lerp(std::log(from), std::log(to), share));
+}
+
+std::vector<double> Interval::values(int count, Spacing spacing) const {
     if (one_value()) return {from};
     std::vector<double> values;
-    for (int i = 0; i < count; ++i) values.push_back(rounded(std::lerp(from, to, static_cast<double>(i) / (count - 1))));
+    for (int i = 0; i < count; ++i) values.push_back(rounded(at(static_cast<double>(i) / (count - 1), spacing)));
     values.front() = from;
     values.back() = to;
     return values;
@@ -58,24 +63,22 @@ std::string Interval::quantity(double value) const {
     return unit.empty() ? fmt::format("{}", value) : fmt::format("{} {}", value, unit);
 }
 
-Interval read_interval(const std::string& option, const std::string& text) {
+Interval read_interval(const std::string& text) {
     constexpr std::string_view dots = "..";
     const std::size_t at = text.find(dots);
     if (at == std::string::npos) {
-        const Value only = read_value(option, text, text);
+        const Value only = read_value(text, text);
         return {only.number, only.number, only.unit, text};
     }
-    const Value from = read_value(option, text, std::string_view(text).substr(0, at));
-    const Value to = read_value(option, text, std::string_view(text).substr(at + dots.size()));
+    const Value from = read_value(text, std::string_view(text).substr(0, at));
+    const Value to = read_value(text, std::string_view(text).substr(at + dots.size()));
     if (!from.unit.empty() && from.unit != to.unit) {
-        throw Failure(ExitCode::wrong_command,
-                      fmt::format("{}: found {}, wanted one unit for both ends, such as 0..50mm", option, core::quote(text)));
+        throw Error(fmt::format("found {}, wanted one unit for both ends, such as 0..50mm", core::quote(text)));
     }
     if (!(from.number < to.number)) {
-        throw Failure(ExitCode::wrong_command,
-                      fmt::format("{}: found {}, wanted the smaller end first", option, core::quote(text)));
+        throw Error(fmt::format("found {}, wanted the smaller end first", core::quote(text)));
     }
     return {from.number, to.number, to.unit, text};
 }
 
-}    // namespace stylet::app
+}    // namespace stylet::study

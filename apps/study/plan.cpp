@@ -1,0 +1,134 @@
+#include "apps/study/plan.h"
+
+#include "apps/study/closed_forms.h"
+#include "apps/study/gathered_errors.h"
+#include "apps/study/inserted_column.h"
+#include "core/run/sample.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+
+namespace stylet::study {
+namespace {
+
+std::vector<core::Override> joined(std::vector<core::Override> changes, const std::vector<core::Override>& more) {
+    changes.insert(changes.end(), more.begin(), more.end());
+    return changes;
+}
+
+/// The recorded columns that a measure takes.
+std::vector<std::string> columns_of(const Measure& measure) {
+    if (const auto* curve = std::get_if<CurveMeasure>(&measure)) return {curve->column, curve->over};
+    if (const auto* value = std::get_if<ValueMeasure>(&measure)) return {value->value};
+    if (const auto* event = std::get_if<EventMeasure>(&measure)) return {event->column};
+    return {};
+}
+
+class Planning {
+public:
+    Planning(const Study& study, const core::PluginFolders& folders, const std::string& processor)
+        : study_(study), folders_(folders), processor_(processor) {}
+
+    Plan plan() {
+        plan_.settings = settings_of(study_);
+        const auto* run = std::get_if<ReferenceRun>(&study_.reference);
+        for (const Setting& setting : plan_.settings) {
+            plan_.mine.push_back(jobs_of(setting.scene, setting.changes, setting.name()));
+            if (run != nullptr) plan_.references.push_back(reference_of(*run, setting));
+            if (study_.split) {
+                const std::string name = fmt::format("{} ({} apart)", setting.name(), study_.split->name);
+                plan_.twins.push_back(jobs_of(setting.scene, joined(setting.changes, study_.split->changes), name));
+            }
+        }
+        errors_.throw_if_any();
+        return std::move(plan_);
+    }
+
+private:
+    std::vector<std::size_t> reference_of(const ReferenceRun& run, const Setting& setting) {
+        using Of = ReferenceRun::Of;
+        if (run.of == Of::scene) return jobs_of(study_.scene, joined(study_.changes, run.changes), run.name);
+        const bool series = run.of == Of::series;
+        return jobs_of(setting.scene, joined(series ? setting.of_series : setting.changes, run.changes),
+                       fmt::format("{}, {}", series ? setting.series : setting.name(), run.name));
+    }
+
+    std::vector<std::size_t> jobs_of(const std::filesystem::path& scene, const std::vector<core::Override>& changes,
+                                     const std::string& name) {
+        std::vector<std::size_t> jobs;
+        for (const Case& one : study_.cases) {
+            const std::string named = one.name.empty() ? name : fmt::format("{}, {}", name, one.name);
+            errors_.gather([&] { jobs.push_back(job_of(one.scene.value_or(scene), joined(changes, one.changes), named)); });
+        }
+        return jobs;
+    }
+
+    std::size_t job_of(const std::filesystem::path& file, const std::vector<core::Override>& changes, const std::string& name) {
+        Job job{.scene = core::read_scene(file, changes, folders_),
+                .name = name,
+                .key = "",
+                .measure = study_.measure,
+                .timed = study_.timed,
+                .repetitions = study_.repetitions,
+                .threads = study_.threads};
+        check(job);
+        job.key = key_of(job, folders_, processor_);
+        const auto [place, is_new] = by_key_.emplace(job.key, plan_.jobs.size());
+        if (is_new) plan_.jobs.push_back(std::move(job));
+        return place->second;
+    }
+
+    [[noreturn]] void refuse(const Job& job, const std::string& sentence) const {
+        const std::string told_by = study_.file.empty() ? job.scene.file.string() : study_.file.string();
+        throw core::SceneErrors({fmt::format("{}: {}: {}", told_by, job.name, sentence)});
+    }
+
+    /// Whether the scene has what is measured and timed.
+    void check(const Job& job) const {
+        const core::Scene& scene = job.scene;
+        const bool needle = scene.needle.has_value(), tissue = scene.tissue.has_value();
+        for (const std::string& name : columns_of(job.measure)) {
+            const core::Column* column = core::column_named(name);
+            const bool missing = column == nullptr ? !needle : !core::there(*column, needle, tissue);
+            if (missing) refuse(job, fmt::format("found no {} in {}, wanted a scene that has it", name, scene.file.string()));
+        }
+        if (job.timed == Timed::step && needle && tissue)
+            refuse(job, "found needle and tissue where a body's 'step' is timed, wanted one of them, or 'time: tick'");
+        if (const auto* answer = std::get_if<AnswerMeasure>(&job.measure)) check_answer(job, *answer);
+        if (const auto* form = std::get_if<ClosedForm>(&study_.reference)) {
+            try {
+                (void)closed_form(*form, job.measure, scene, {});
+            } catch (const Error& error) {
+                refuse(job, error.what());
+            }
+        }
+    }
+
+    void check_answer(const Job& job, const AnswerMeasure& answer) const {
+        if (!job.scene.needle || !job.scene.buckling)
+            refuse(job, fmt::format("found no buckling model in {}, wanted one that answers", job.scene.file.string()));
+        constexpr double rounding = 1e-9;    // of a length: sums and units written in decimals
+        const double most = deepest(job.scene);
+        if (answer.depth > most * (1.0 + rounding))
+            refuse(job, fmt::format("found a depth of {:g} m, wanted at most {:g} m: so much of the needle can be inside",
+                                    answer.depth, most));
+    }
+
+    const Study& study_;
+    const core::PluginFolders& folders_;
+    const std::string& processor_;
+    Plan plan_{};
+    GatheredErrors errors_;
+    std::map<std::string, std::size_t> by_key_;
+};
+
+}    // namespace
+
+Plan plan_of(const Study& study, const core::PluginFolders& folders, const std::string& processor) {
+    return Planning(study, folders, processor).plan();
+}
+
+}    // namespace stylet::study

@@ -1,0 +1,33 @@
+// What a study has measured so far, so that it goes on where it was stopped.
+#pragma once
+
+#include "apps/study/outcome.h"
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <mutex>
+#include <string>
+
+namespace stylet::study {
+
+/// A file with a line of JSON for each outcome, written as soon as there is one. Lines that cannot be read, such as one cut by a
+/// kill, are as if they were not there.
+class RunLog {
+public:
+    /// Without a file nothing is kept. Throws Error where it cannot be written.
+    explicit RunLog(const std::filesystem::path& file);
+
+    [[nodiscard]] const Outcome* find(const std::string& key) const;
+
+    /// May be called from several threads. Throws Error where the disk is full.
+    void add(const std::string& key, const std::string& name, const Outcome& outcome);
+
+private:
+    std::map<std::string, Outcome> known_;
+    std::ofstream stream_;
+    std::filesystem::path file_;
+    std::mutex mutex_;
+};
+
+}    // namespace stylet::study

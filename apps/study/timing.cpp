@@ -1,0 +1,42 @@
+#include "apps/study/timing.h"
+
+#include "apps/study/errors.h"
+
+#include <algorithm>
+
+namespace stylet::study {
+namespace {
+
+double median_of(const std::vector<Timing>& timings, double Timing::*member) {
+    std::vector<double> values;
+    for (const Timing& timing : timings) values.push_back(timing.*member);
+    std::ranges::sort(values);
+    return quantile(values, 0.5);
+}
+
+Timing joined(const std::vector<Timing>& timings) {
+    Timing all{.median = median_of(timings, &Timing::median), .p99 = median_of(timings, &Timing::p99)};
+    for (const Timing& timing : timings) {
+        all.worst = std::max(all.worst, timing.worst);
+        all.waited = std::max(all.waited, timing.waited);
+    }
+    return all;
+}
+
+}    // namespace
+
+Timing of_repetitions(std::vector<Timing> timings, int count) {
+    std::ranges::sort(timings, {}, &Timing::waited);
+    timings.resize(std::min(timings.size(), static_cast<std::size_t>(count)));
+    Timing all = joined(timings);
+    all.contended = all.waited > most_waited;
+    return all;
+}
+
+Timing of_cases(const std::vector<Timing>& timings) {
+    Timing all = joined(timings);
+    all.contended = std::ranges::any_of(timings, &Timing::contended);
+    return all;
+}
+
+}    // namespace stylet::study
