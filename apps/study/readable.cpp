@@ -20,11 +20,10 @@ std::string without_idle_zeros(std::string number) {
 /// So many significant digits; trailing zeros stay, for they are digits as well.
 std::string significant(double value, int digits) {
     const double magnitude = std::floor(std::log10(value));
-    constexpr double least_fixed = -4.0, most_fixed = 5.0;    // decades in which a number is written out
+    constexpr double least_fixed = -3.0, most_fixed = 5.0;    // decades in which a number is written out
     if (magnitude < least_fixed || magnitude >= most_fixed) return without_idle_zeros(fmt::format("{:.{}e}", value, digits - 1));
     const int decimals = digits - 1 - static_cast<int>(magnitude);
-    std::string text = fmt::format("{:.{}f}", value, std::max(0, decimals));
-    return text;
+    return fmt::format("{:.{}f}", value, std::max(0, decimals));
 }
 
 /// A study's limits are not reached by rounding: 0.998 % is below 1 %.
@@ -75,6 +74,10 @@ std::string word_of(Timed timed) {
             break;
     }
     return "";
+}
+
+std::string each(Timed timed) {
+    return (timed == Timed::answer ? "an " : "a ") + word_of(timed);
 }
 
 }    // namespace stylet::study

@@ -19,4 +19,7 @@ constexpr double least_error = 1e-14;
 /// What was timed: "tick"; empty where nothing was.
 [[nodiscard]] std::string word_of(Timed timed);
 
+/// "a tick", "an answer"
+[[nodiscard]] std::string each(Timed timed);
+
 }    // namespace stylet::study

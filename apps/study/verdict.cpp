@@ -63,11 +63,6 @@ std::string percent(double limit) {
     return fmt::format("{:g} %", 100.0 * limit);
 }
 
-/// "a tick", "an answer"
-std::string each(Timed timed) {
-    return (timed == Timed::answer ? "an " : "a ") + word_of(timed);
-}
-
 /// "38.0 µs a tick"
 std::string cost(const SettingResult& setting, Timed timed) {
     const std::string busy = setting.timing->contended ? " (on a busy machine)" : "";

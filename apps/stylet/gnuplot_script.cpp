@@ -262,6 +262,7 @@ private:
         for (std::size_t c = 0; c < figure_.curves.size(); ++c) {
             if (!figure_.curves[c].marks.empty()) add_marks(c, layers);
         }
+        if (layers.empty()) layers.emplace_back("NaN");    // the axes alone
         add("plot {}", fmt::join(layers, ", "));
     }
 

@@ -19,9 +19,8 @@ std::string heading(const Result& result) {
         fmt::format("# stylet study 1\n# title: {}\n# scene: {}\n# measured: {}\n# reference: {}\n", printable(result.title),
                     printable(result.scene), printable(result.measured), printable(result.reference));
     if (!result.judged.empty()) text += fmt::format("# error: {}\n", printable(result.judged));
-    if (result.timed != study::Timed::nothing)
-        text +=
-            fmt::format("# timed: {}, {} repetitions, {} threads\n", word_of(result.timed), result.repetitions, result.threads);
+    if (const std::string timed = timed_text(result); !timed.empty()) text += fmt::format("# timed: {}\n", timed);
+    for (const study::FittedOrder& order : result.orders) text += fmt::format("# order: {}\n", printable(order_text(order)));
     return text +
            fmt::format("# machine: {}\n# command: {}\n", printable(machine_text(result.machine)), printable(result.command));
 }
@@ -48,10 +47,8 @@ std::string times(const std::optional<study::Timing>& timing) {
 std::string row(const SettingResult& setting, const Result& result) {
     std::string text = csv_cell(setting.series) + "," + csv_cell(setting.label) + "," + fmt::format("{}", setting.error.judged);
     if (result.split) text += "," + value(setting.split_part) + "," + value(setting.split_rest);
-    std::string remarks;
-    for (const std::string& remark : setting.remarks) remarks += (remarks.empty() ? "" : "; ") + remark;
     return text + fmt::format(",{},{},{},{},{:d},{:d},{}\n", setting.error.median, setting.error.p95, setting.error.worst,
-                              times(setting.timing), setting.on_front, setting.failed, csv_cell(remarks));
+                              times(setting.timing), setting.on_front, setting.failed, csv_cell(remarks_text(setting)));
 }
 
 }    // namespace

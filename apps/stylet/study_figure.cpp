@@ -158,9 +158,8 @@ Axis time_axis(const Result& result) {
     const bool shows_limit =
         result.timed == study::Timed::tick || (span.least < near * millisecond && span.greatest > millisecond / near);
     if (shows_limit) span.hold(millisecond);
-    Axis axis = log_axis(fmt::format("Time of {} {} (median; whisker to the 99th percentile)",
-                                     result.timed == study::Timed::answer ? "an" : "a", word_of(result.timed)),
-                         span.least, span.greatest, time_number);
+    Axis axis = log_axis(fmt::format("Time of {} (median; whisker to the 99th percentile)", each(result.timed)), span.least,
+                         span.greatest, time_number);
     if (shows_limit) axis.guides = {{millisecond, "1 ms"}};
     return axis;
 }
@@ -226,7 +225,7 @@ Figure figure_of_errors(const Result& result) {
     constexpr double row_height = 26.0, around = 130.0;
     figure.width = 800.0;
     figure.x.label += result.judged.empty() ? "" : " (whisker to the worst)";
-    figure.height = around + row_height * count;
+    figure.height = around + row_height * std::max(count, 1.0);
     return figure;
 }
 

@@ -1,5 +1,6 @@
 #include "apps/stylet/study_page.h"
 
+#include "apps/study/timing.h"
 #include "apps/stylet/markdown.h"
 #include "apps/stylet/study_table.h"
 #include "apps/stylet/study_words.h"
@@ -23,8 +24,7 @@ std::string table(const Result& result) {
     const StudyTable filled = study_table(result);
     std::string names = "|", rules = "|", rows;
     for (const StudyColumn& column : filled.columns) {
-        const std::string comma = column.group.empty() || column.name.empty() ? "" : ", ";
-        names += fmt::format(" {} |", markdown(column.name.empty() ? "" : column.group + comma + column.name));
+        names += fmt::format(" {} |", markdown(column.group + (column.group.empty() ? "" : ", ") + column.name));
         rules += column.align == Table::Align::right ? "---:|" : "---|";
     }
     for (const std::vector<std::string>& row : filled.rows) {
@@ -45,16 +45,27 @@ std::string orders(const Result& result) {
     return text + "\n";
 }
 
+/// What a time in the table is.
+std::string timing_words(const Result& result) {
+    const bool loads = result.timed == study::Timed::load;
+    return fmt::format(
+        "Timed: {}{}. Of each repetition the median, p99 and worst are taken; the table has the medians of the first two, and "
+        "the "
+        "worst of all. A repetition that the machine kept waiting for more than {:g} % of its time is made again; what stays so "
+        "is marked {}.",
+        timed_text(result), loads ? "" : ", each after a warm-up", 100.0 * study::most_waited, contended_mark);
+}
+
 std::string how(const Result& result) {
     std::vector<std::string> facts{"Scene: `" + result.scene + "`", "Error: " + result.measured,
                                    "Reference: " + result.reference};
-    if (!result.judged.empty()) facts.push_back("Cases: " + result.judged);
-    if (result.timed != study::Timed::nothing)
-        facts.push_back(fmt::format("Timed: a {}, {} repetition{} after a warm-up, {} thread{}", word_of(result.timed),
-                                    result.repetitions, result.repetitions == 1 ? "" : "s", result.threads,
-                                    result.threads == 1 ? "" : "s"));
+    if (!result.judged.empty()) facts.push_back("Cases: the error is the " + result.judged);
+    if (result.timed != study::Timed::nothing) facts.push_back(timing_words(result));
+    if (result.reference_timing)
+        facts.push_back(fmt::format("The reference itself takes {} {}; the speed-up is over that.",
+                                    time_text(result.reference_timing->median), each(result.timed)));
     facts.push_back("Machine: " + machine_text(result.machine));
-    return "## How it was measured\n\n" + bullets(facts);
+    return "## How it was measured\n\n" + bullets(facts) + "This page again:\n\n";
 }
 
 }    // namespace
@@ -63,9 +74,10 @@ std::string study_page(const Result& result, const std::string& picture_file) {
     const std::string question = result.question.empty() ? "" : markdown(result.question) + "\n\n";
     const std::string stopped = result.stopped ? "**Stopped before all was run: what is missing is left out.**\n\n" : "";
     return std::string(origin) + "# " + markdown(result.title) + "\n\n" + question + stopped +
-           fmt::format("![{}: error over time]({})\n\n", markdown(result.title), picture_file) + bullets(result.verdict) +
-           "## Settings\n\n" + table(result) + bullets(marks_explained(result)) + orders(result) + how(result) +
-           fmt::format("```sh\n{}\n```\n", result.command);
+           fmt::format("![{}: {}]({})\n\n", markdown(result.title),
+                       result.timed == study::Timed::nothing ? "the error of each setting" : "error over time", picture_file) +
+           bullets(result.verdict) + "## Settings\n\n" + table(result) + bullets(marks_explained(result)) + orders(result) +
+           how(result) + fmt::format("```sh\n{}\n```\n", result.command);
 }
 
 }    // namespace stylet::app

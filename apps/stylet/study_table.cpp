@@ -22,12 +22,6 @@ struct Filled {
     std::function<std::string(const SettingResult&)> cell;
 };
 
-std::string joined(const std::vector<std::string>& texts) {
-    std::string all;
-    for (const std::string& text : texts) all += (all.empty() ? "" : "; ") + text;
-    return all;
-}
-
 bool any(const Result& result, const std::function<bool(const SettingResult&)>& has) {
     return std::ranges::any_of(result.settings, has);
 }
@@ -45,7 +39,9 @@ void add_errors(const Result& result, std::vector<Filled>& columns) {
             {{"of it", result.split->second, Align::right}, [](const SettingResult& s) { return judged_part(s.split_rest); }});
     }
     if (result.judged.empty()) return;
-    const auto add = [&columns](const char* name, double ErrorOfCases::*value) {
+    // The one that is the error itself needs no second column.
+    const auto add = [&](const char* name, double ErrorOfCases::*value) {
+        if (!any(result, [value](const SettingResult& s) { return s.error.*value != s.error.judged; })) return;
         columns.push_back(
             {{"cases", name, Align::right}, [value](const SettingResult& s) { return error_text(s.error.*value); }});
     };
@@ -61,23 +57,25 @@ std::string speed_up(const SettingResult& setting, const study::Timing& referenc
     return fmt::format("{:.{}f} ×", ratio, ratio < 10.0 ? 1 : 0);
 }
 
+/// The mark stands before the number, so that numbers stay below one another.
+std::string marked_median(const SettingResult& setting) {
+    if (!setting.timing) return "";
+    return (setting.timing->contended ? std::string(contended_mark) + " " : "") + time_text(setting.timing->median);
+}
+
 void add_times(const Result& result, std::vector<Filled>& columns) {
     if (!any(result, [](const SettingResult& s) { return s.timing.has_value(); })) return;
-    const std::string timed = "a " + word_of(result.timed);
+    const std::string timed = each(result.timed);
     const auto add = [&](const char* name, double study::Timing::*value) {
         columns.push_back({{timed, name, Align::right},
                            [value](const SettingResult& s) { return s.timing ? time_text((*s.timing).*value) : ""; }});
     };
-    add("median", &study::Timing::median);
-    if (any(result, [](const SettingResult& s) { return s.timing && s.timing->contended; }))
-        columns.push_back({{timed, "", Align::left},
-                           [](const SettingResult& s) { return s.timing && s.timing->contended ? contended_mark : ""; }});
+    columns.push_back({{timed, "median", Align::right}, marked_median});
     add("p99", &study::Timing::p99);
     add("worst", &study::Timing::worst);
-    if (result.reference_timing) {
+    if (result.reference_timing)
         columns.push_back(
             {{"", "speed-up", Align::right}, [&](const SettingResult& s) { return speed_up(s, *result.reference_timing); }});
-    }
 }
 
 std::vector<Filled> columns_of(const Result& result) {
@@ -89,7 +87,7 @@ std::vector<Filled> columns_of(const Result& result) {
     if (any(result, [](const SettingResult& s) { return s.on_front; }))
         columns.push_back({{"", "front", Align::left}, [](const SettingResult& s) { return s.on_front ? front_mark : ""; }});
     if (any(result, [](const SettingResult& s) { return !s.remarks.empty(); }))
-        columns.push_back({{"", "remarks", Align::left}, [](const SettingResult& s) { return joined(s.remarks); }});
+        columns.push_back({{"", "remarks", Align::left}, [](const SettingResult& s) { return remarks_text(s); }});
     return columns;
 }
 

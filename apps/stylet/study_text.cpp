@@ -3,7 +3,8 @@
 #include "apps/stylet/study_table.h"
 #include "apps/stylet/study_words.h"
 
-#include <fmt/format.h>
+#include <algorithm>
+#include <utility>
 
 namespace stylet::app {
 namespace {
@@ -30,7 +31,9 @@ std::string settings_text(const Result& result) {
         names.push_back(column.name);
     }
     Table table(aligned);
-    table.add(group_row(filled));
+    if (const std::vector<std::string> groups = group_row(filled);
+        std::ranges::any_of(groups, [](const std::string& group) { return !group.empty(); }))
+        table.add(groups);
     table.add(names);
     for (const std::vector<std::string>& row : filled.rows) table.add(row);
     return table.text(indent);
@@ -54,9 +57,7 @@ std::string timing_text(const Result& result) {
     facts.add({"reference", result.reference});
     if (!result.judged.empty()) facts.add({"error", result.judged});
     facts.add({"machine", machine_text(result.machine)});
-    if (result.timed != study::Timed::nothing)
-        facts.add({"timed", fmt::format("a {}, {} repetition{}, {} thread{}", word_of(result.timed), result.repetitions,
-                                        result.repetitions == 1 ? "" : "s", result.threads, result.threads == 1 ? "" : "s")});
+    if (const std::string timed = timed_text(result); !timed.empty()) facts.add({"timed", timed});
     return facts.text(indent) + "\n";
 }
 
