@@ -72,8 +72,9 @@ std::string range_text(const Parameter& parameter) {
 std::string meaning_text(const Parameter& parameter) {
     if (parameter.finer == Finer::neither) return parameter.meaning;
     const bool above = parameter.finer == Finer::above;
-    const char* finer = parameter.kind == Kind::choice ? (above ? "later" : "earlier") : (above ? "larger" : "smaller");
-    return fmt::format("{}; {} is finer", parameter.meaning, finer);
+    if (parameter.kind == Kind::choice)
+        return fmt::format("{}; {} words are finer", parameter.meaning, above ? "later" : "earlier");
+    return fmt::format("{}; {} is finer", parameter.meaning, above ? "larger" : "smaller");
 }
 
 const char* need_text(const Parameter& parameter) {

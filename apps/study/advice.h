@@ -1,0 +1,72 @@
+// Which setting of a scene to take, and what each of its effects costs and does.
+#pragma once
+
+#include "apps/study/neighbours.h"
+#include "apps/study/result.h"
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stylet::study {
+
+/// What is asked of a setting.
+struct Wish {
+    double budget;    // [s] for a tick
+    double error;     // relative, at most
+};
+
+/// A neighbour of the scene, measured.
+struct Weighed {
+    Neighbour neighbour;
+    bool other_models = false;                                 // a step of one parameter otherwise
+    double error = std::numeric_limits<double>::infinity();    // against the reference
+    std::string why{};                                         // there is no error
+    std::optional<Timing> timing{};                            // of a tick
+    std::vector<std::string> remarks{};
+
+    /// 99 of 100 ticks are.
+    [[nodiscard]] bool in_time(const Wish& wish) const;
+    [[nodiscard]] bool near_enough(const Wish& wish) const { return error <= wish.error; }
+};
+
+/// What the settings are compared with.
+struct ReferenceSetting {
+    std::string name;                       // "half_space, rod"
+    std::vector<core::Override> changes;    // that make it, on top of the scene
+    std::optional<Timing> timing{};
+    double largest = 0.0;    // of the curve, in its unit
+};
+
+/// What a setting does without one of its effects.
+struct Omission {
+    Neighbour neighbour;
+    std::string why{};       // it cannot be left out; empty where it can
+    double saved = 0.0;      // [µs] of the median tick; negative where it takes longer without
+    double change = 0.0;     // RMS of the curve's difference, as a share of its largest value
+    double largest = 0.0;    // of the curve without it
+};
+
+struct Advice {
+    std::string title;
+    std::filesystem::path scene;
+    Wish wish;
+    std::string column, unit;    // of the curve, over time: hand_force, N
+    ReferenceSetting reference;
+    std::vector<Weighed> settings;          // the scene itself first
+    std::optional<std::size_t> take;        // the most accurate of those in time, where it is near enough
+    std::optional<std::size_t> cheapest;    // of those near enough
+    std::optional<std::size_t> nearest;     // of those in time
+    std::size_t examined = 0;               // whose effects were left out: what to take, or else the scene itself
+    double largest = 0.0;                   // of its curve
+    std::vector<Omission> omissions;
+    std::vector<LeftOut> left_out;
+    Machine machine;
+    int threads = 1;
+};
+
+/// Says which to take, once all settings are measured.
+void choose(Advice& advice);
+
+}    // namespace stylet::study

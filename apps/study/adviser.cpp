@@ -1,0 +1,273 @@
+#include "apps/study/adviser.h"
+
+#include "apps/study/errors.h"
+#include "apps/study/job.h"
+#include "apps/study/machine.h"
+#include "apps/study/pace.h"
+#include "apps/study/readable.h"
+#include "apps/study/stopwatch.h"
+#include "core/run/sample.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stylet::study {
+namespace {
+
+constexpr double longest = 120.0;              // [s] of a setting's run
+constexpr double longest_reference = 600.0;    // [s]
+constexpr double quick = 0.5;                  // [s] a run that takes less is timed by several
+constexpr int repetitions = 5;                 // of those
+
+/// Ends a run that would take too long.
+struct GivenUp {
+    double seconds;    // that it would have taken
+};
+
+/// The user asked for an end.
+struct Stopped {};
+
+std::string measured_column(const core::Scene& scene) {
+    if (!scene.needle) return "patch_displacement";
+    return scene.device ? "hand_force" : "deflection";
+}
+
+double largest_of(const Outcome& outcome) {
+    double largest = 0.0;
+    for (const double y : outcome.y) largest = std::max(largest, std::abs(y));
+    return largest;
+}
+
+std::string words_of(const GivenUp& given_up) {
+    constexpr double us = 1e6;    // in a second
+    return "given up: it would take " + time_text(given_up.seconds * us);
+}
+
+/// "half_space, rod" with "cells=[24, 24, 9], rate=2 kHz"
+std::string with_changes(const std::string& name, const std::vector<core::Override>& changes) {
+    std::string text = name;
+    const char* before = " with ";
+    for (const core::Override& change : changes)
+        text += fmt::format("{}{}={}", std::exchange(before, ", "), change.key, change.value);
+    return text;
+}
+
+std::vector<core::Override> joined(std::vector<core::Override> first, const std::vector<core::Override>& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
+class Adviser {
+public:
+    Adviser(const Request& request, const std::atomic<bool>& stop, const std::function<void(const Progress&)>& progress)
+        : request_(request),
+          base_{request.scene, request.changes, request.folders},
+          scene_(base_.read()),
+          stop_(stop),
+          progress_(progress) {}
+
+    Advice advise() {
+        if (request_.reference) (void)base_.read(*request_.reference);    // before anything is run
+        begin();
+        Neighbours neighbours = neighbours_of(base_);
+        advice_.left_out = neighbours.left_out;
+        pace_.expect(neighbours.models.size(), neighbours.steps.size(), omissions(scene_, request_.folders).size());
+        weigh_all(neighbours.models, true);
+        find_reference();
+        weigh_all(neighbours.steps, false);
+        compare();
+        choose(advice_);
+        leave_out();
+        return std::move(advice_);
+    }
+
+private:
+    void begin() {
+        advice_.title = scene_.title;
+        advice_.scene = request_.scene;
+        advice_.wish = request_.wish;
+        advice_.threads = request_.threads;
+        advice_.machine = this_machine();
+        advice_.column = measured_column(scene_);
+        const auto column = std::ranges::find(core::all_columns(), advice_.column,
+                                              [](const core::Column& known) { return std::string(known.name); });
+        advice_.unit = column->unit;
+    }
+
+    /// Throws GivenUp, Stopped, and core::SceneErrors where the changed scene is none.
+    Outcome measured(const std::string& name, const std::vector<core::Override>& changes, double patience, Pace::Kind kind) {
+        Job job{.scene = base_.read(changes),
+                .name = name,
+                .key = "",
+                .measure = CurveMeasure{.column = advice_.column, .over = "time"},
+                .timed = Timed::tick,
+                .repetitions = 1,
+                .threads = request_.threads};
+        Stopwatch watch;
+        const auto told = [&](double share) {
+            constexpr double telling = 2.0;    // [s] until which nothing can be said
+            tell(name, share, watch.wall(), kind);
+            if (share > 0.0 && watch.wall() > telling && watch.wall() > share * patience) throw GivenUp{watch.wall() / share};
+        };
+        std::optional<Outcome> outcome = measure(job, request_.folders, stop_, told);
+        if (outcome && outcome->missing.empty() && watch.wall() < quick) {
+            job.repetitions = repetitions;
+            outcome = measure(job, request_.folders, stop_, told);
+        }
+        if (!outcome) throw Stopped{};
+        pace_.done(kind, watch.wall());
+        return *std::move(outcome);
+    }
+
+    void tell(const std::string& name, double share, double spent, Pace::Kind kind) {
+        if (!progress_) return;
+        const double left = pace_.left(kind, share, spent), passed = watch_.wall();
+        progress_({.done = pace_.count_done(),
+                   .all = pace_.count(),
+                   .share = passed / (passed + left),
+                   .seconds_left = pace_.known() ? std::optional(left) : std::nullopt,
+                   .name = name});
+    }
+
+    void weigh_all(const std::vector<Neighbour>& neighbours, bool other_models) {
+        for (const Neighbour& neighbour : neighbours) weigh(neighbour, other_models);
+    }
+
+    void weigh(const Neighbour& neighbour, bool other_models) {
+        Weighed weighed{.neighbour = neighbour, .other_models = other_models};
+        Outcome outcome;
+        try {
+            outcome = measured(neighbour.name, neighbour.changes, longest, other_models ? Pace::models : Pace::steps);
+        } catch (const GivenUp& given_up) {
+            outcome.missing = words_of(given_up);
+        }
+        const bool the_scene_itself = outcomes_.empty();
+        if (!outcome.timing && !the_scene_itself) {    // refused, or given up
+            advice_.left_out.push_back({neighbour.name, outcome.missing});
+            return;
+        }
+        weighed.why = outcome.missing;
+        weighed.timing = outcome.timing;
+        weighed.remarks = outcome.remarks;
+        advice_.settings.push_back(std::move(weighed));
+        outcomes_.push_back(std::move(outcome));
+    }
+
+    void find_reference() {
+        if (request_.reference) {
+            const std::string name = with_changes("the scene", *request_.reference);
+            take_reference(name, *request_.reference, measured(name, *request_.reference, INFINITY, Pace::references));
+        } else {
+            look_for_reference();
+        }
+        if (!reference_.missing.empty())
+            throw Error(fmt::format("the reference, {}: {}", advice_.reference.name, reference_.missing));
+        if (advice_.reference.largest > 0.0) return;
+        throw Error(fmt::format("{} is 0 all along in the reference, {}: there is nothing to compare", advice_.column,
+                                advice_.reference.name));
+    }
+
+    /// The dearest combination that ran to its end.
+    [[nodiscard]] std::size_t dearest() const {
+        std::size_t dearest = 0;
+        double most = -1.0;
+        for (std::size_t i = 0; i < advice_.settings.size(); ++i) {
+            const auto& timing = advice_.settings[i].timing;
+            if (!outcomes_[i].missing.empty() || !timing || timing->median <= most) continue;
+            most = timing->median;
+            dearest = i;
+        }
+        return dearest;
+    }
+
+    void look_for_reference() {
+        const Neighbour& models = advice_.settings[dearest()].neighbour;
+        const core::Scene scene = base_.read(models.changes);
+        for (const bool with_words : {true, false}) {
+            const auto finest = finest_step(scene, request_.folders, with_words);
+            if (finest.empty() || try_reference(models, finest)) break;
+        }
+        if (advice_.reference.name.empty()) take_reference(models.name, models.changes, outcomes_[dearest()]);
+    }
+
+    /// False where it is refused, ends in a fault, loses ticks or takes too long.
+    bool try_reference(const Neighbour& models, const std::vector<core::Override>& finest) {
+        const std::string name = with_changes(models.name, finest);
+        const std::vector<core::Override> changes = joined(models.changes, finest);
+        try {
+            Outcome outcome = measured(name, changes, longest_reference, Pace::references);
+            if (!outcome.missing.empty()) return false;
+            take_reference(name, changes, std::move(outcome));
+            return true;
+        } catch (const GivenUp& given_up) {
+            advice_.left_out.push_back({"reference: " + name, words_of(given_up)});
+        } catch (const core::SceneErrors& errors) {
+            advice_.left_out.push_back({"reference: " + name, errors.messages().front()});
+        }
+        return false;
+    }
+
+    void take_reference(const std::string& name, const std::vector<core::Override>& changes, Outcome outcome) {
+        advice_.reference = {.name = name, .changes = changes, .timing = outcome.timing, .largest = largest_of(outcome)};
+        reference_ = std::move(outcome);
+    }
+
+    void compare() {
+        for (std::size_t i = 0; i < outcomes_.size(); ++i) {
+            Weighed& weighed = advice_.settings[i];
+            const ErrorOfOutcome error = error_of(outcomes_[i], reference_);
+            weighed.error = error.error;
+            if (weighed.why.empty()) weighed.why = error.why;
+        }
+    }
+
+    void leave_out() {
+        const std::vector<core::Override>& chosen = advice_.settings[advice_.examined].neighbour.changes;
+        const Outcome& with = outcomes_[advice_.examined];
+        advice_.largest = largest_of(with);
+        if (!with.missing.empty() || !with.timing) return;
+        for (const Neighbour& omitted : omissions(base_.read(chosen), request_.folders)) {
+            Omission omission{.neighbour = omitted};
+            try {
+                const Outcome without =
+                    measured("without " + omitted.name, joined(chosen, omitted.changes), longest, Pace::omissions);
+                const ErrorOfOutcome change = error_of(without, with);
+                omission.why = change.why;
+                omission.change = change.error;
+                omission.largest = largest_of(without);
+                if (without.timing) omission.saved = with.timing->median - without.timing->median;
+            } catch (const GivenUp& given_up) {
+                omission.why = words_of(given_up);
+            } catch (const core::SceneErrors& errors) {
+                omission.why = errors.messages().front();
+            }
+            advice_.omissions.push_back(std::move(omission));
+        }
+    }
+
+    const Request& request_;
+    const ChangedScene base_;
+    const core::Scene scene_;
+    const std::atomic<bool>& stop_;
+    const std::function<void(const Progress&)>& progress_;
+    Stopwatch watch_;
+    Pace pace_;
+    Advice advice_;
+    std::vector<Outcome> outcomes_;    // of the settings
+    Outcome reference_;
+};
+
+}    // namespace
+
+std::optional<Advice> advise(const Request& request, const std::atomic<bool>& stop,
+                             const std::function<void(const Progress&)>& progress) {
+    try {
+        return Adviser(request, stop, progress).advise();
+    } catch (const Stopped&) {
+        return std::nullopt;
+    }
+}
+
+}    // namespace stylet::study

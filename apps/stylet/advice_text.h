@@ -1,0 +1,17 @@
+// What was advised on a scene, for a terminal and for scripts.
+#pragma once
+
+#include "apps/study/advice.h"
+
+#include <string>
+
+namespace stylet::app {
+
+[[nodiscard]] std::string advice_text(const study::Advice& advice);
+
+[[nodiscard]] std::string advice_json(const study::Advice& advice);
+
+/// "--set needle.type=rod --set 'run.rate=2 kHz'", as a shell takes it; empty where nothing is changed.
+[[nodiscard]] std::string set_words(const std::vector<core::Override>& changes);
+
+}    // namespace stylet::app
