@@ -24,11 +24,11 @@ struct SettingResult {
     std::string series;    // "rod"
     std::string label;     // "41 nodes"; empty where the series is one setting
     ErrorOfCases error;
-    std::optional<Timing> timing{};                        // of what was timed
+    std::optional<Timing> timing{};                            // of what was timed
     std::optional<ErrorOfCases> split_part{}, split_rest{};    // where the study splits the error
-    std::vector<std::string> remarks{};                    // "never punctured", "found no equilibrium in 3 ticks"
-    bool on_front = false;                                 // no other setting is both cheaper and nearer
-    bool failed = false;                                   // its error is not finite
+    std::vector<std::string> remarks{};                        // "never punctured", "found no equilibrium in 3 ticks"
+    bool on_front = false;                                     // no other setting is both cheaper and nearer
+    bool failed = false;                                       // its error is not finite
 
     /// "rod, 41 nodes"
     [[nodiscard]] std::string name() const { return label.empty() ? series : series + ", " + label; }
