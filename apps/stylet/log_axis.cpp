@@ -19,7 +19,7 @@ std::string superscript(int number) {
 /// Numbers stand at every decade; at each second or third one where there are many, at 2 and 5 as well where there are few.
 std::vector<Tick> ticks_between(double least, double greatest, const std::function<std::string(double)>& number) {
     constexpr double few = 2.5;
-    constexpr int many = 9;    // of decades
+    constexpr int many = 14;    // of decades
     const int first = static_cast<int>(std::floor(std::log10(least))), last = static_cast<int>(std::ceil(std::log10(greatest)));
     const int stride = 1 + (last - first) / (many + 1);
     const bool between = std::log10(greatest / least) < few;

@@ -86,10 +86,10 @@ double widest_tick(const Axis& axis) {
 
 /// Where the plot begins: room for the y axis' numbers, and its label beside them.
 double left_margin(const Figure& figure) {
-    constexpr double numbers = 16.0, label = 28.0,
-                     usual = 78.0;    // [pixels] most pictures' numbers have three characters at most
+    // [pixels] most pictures' numbers have three characters at most; given ticks may be any words
+    constexpr double numbers = 16.0, label = 28.0, usual = 78.0, words = 10.0;
     const double taken = numbers + widest_tick(figure.y) + (figure.y.label.empty() ? 0.0 : label);
-    return figure.y.ticks.empty() ? std::max(usual, taken) : taken;
+    return figure.y.ticks.empty() ? std::max(usual, taken) : taken + words;
 }
 
 /// What is beside the plot on the right, above it and below it.

@@ -16,9 +16,9 @@ namespace {
 using study::Result;
 using study::SettingResult;
 
-constexpr double millisecond = 1e3;          // [µs]
-constexpr double greatest_shown = 1000.0;    // [%] beyond it a number says no more than that it is wrong
-constexpr double edge = 0.035;               // share of an axis where a value beyond it is drawn
+constexpr double millisecond = 1e3;       // [µs]
+constexpr double greatest_shown = 1e4;    // [%] beyond it a number says no more than that it is wrong
+constexpr double edge = 0.035;            // share of an axis where a value beyond it is drawn
 const std::vector<Guide> error_limits{{1.0, "1 %"}, {5.0, "5 %"}};
 
 /// Least and greatest of what an axis is to show; positive values only.
