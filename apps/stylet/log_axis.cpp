@@ -17,15 +17,14 @@ std::string superscript(int number) {
 }
 
 /// Numbers stand at every decade; at each second or third one where there are many, at 2 and 5 as well where there are few.
-std::vector<Tick> ticks_between(double least, double greatest, const std::function<std::string(double)>& number) {
-    constexpr double few = 2.5;
-    constexpr int many = 14;    // of decades
+std::vector<Tick> ticks_between(double least, double greatest, const Numbers& numbers) {
+    constexpr double few = 2.5;    // decades
     const int first = static_cast<int>(std::floor(std::log10(least))), last = static_cast<int>(std::ceil(std::log10(greatest)));
-    const int stride = 1 + (last - first) / (many + 1);
+    const int stride = 1 + (last - first) / (numbers.most + 1);
     const bool between = std::log10(greatest / least) < few;
     std::vector<Tick> ticks;
     const auto add = [&](double at, bool told) {
-        if (at >= least && at <= greatest) ticks.push_back({at, told ? number(at) : ""});
+        if (at >= least && at <= greatest) ticks.push_back({at, told ? numbers.text(at) : ""});
     };
     for (int decade = first; decade <= last; ++decade) {
         const double power = std::pow(10.0, decade);
@@ -37,11 +36,11 @@ std::vector<Tick> ticks_between(double least, double greatest, const std::functi
 
 }    // namespace
 
-Axis log_axis(const std::string& label, double least, double greatest, const std::function<std::string(double)>& number) {
+Axis log_axis(const std::string& label, double least, double greatest, const Numbers& numbers) {
     constexpr double share = 0.06, least_decades = 0.15;    // room on either side
     const double room = std::pow(10.0, std::max(least_decades, share * std::log10(greatest / least)));
     Axis axis{.label = label, .least = least / room, .greatest = greatest * room, .scale = Scale::logarithmic};
-    axis.ticks = ticks_between(axis.least, axis.greatest, number);
+    axis.ticks = ticks_between(axis.least, axis.greatest, numbers);
     return axis;
 }
 

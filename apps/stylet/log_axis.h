@@ -3,14 +3,18 @@
 
 #include "apps/stylet/figure.h"
 
-#include <functional>
 #include <string>
 
 namespace stylet::app {
 
-/// From `least` to `greatest`, both positive, with room on either side. `number` writes one beside a tick.
-[[nodiscard]] Axis log_axis(const std::string& label, double least, double greatest,
-                            const std::function<std::string(double)>& number);
+/// How numbers stand beside an axis.
+struct Numbers {
+    std::string (*text)(double);
+    int most;    // decades that there is room to number
+};
+
+/// From `least` to `greatest`, both positive, with room on either side.
+[[nodiscard]] Axis log_axis(const std::string& label, double least, double greatest, const Numbers& numbers);
 
 /// Of microseconds: "2 µs", "100 ms".
 [[nodiscard]] std::string time_number(double us);

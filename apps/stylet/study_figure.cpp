@@ -53,7 +53,7 @@ std::string error_label(const Result& result) {
     return result.judged.empty() ? "Error" : "Error, " + result.judged;
 }
 
-/// Holds the worst of the cases as well where their spread is drawn.
+/// Where the cases' spread is drawn, it lies along x and holds the worst of them as well.
 Axis error_axis(const Result& result, bool spread) {
     Span span;
     for (const Guide& limit : error_limits) span.hold(limit.at);
@@ -69,7 +69,7 @@ Axis error_axis(const Result& result, bool spread) {
     }
     constexpr double edge_room = 2.5;    // times: no error is to stand beside what lies beyond the edge
     Axis axis = log_axis(error_label(result), below ? span.least / edge_room : span.least,
-                         above ? span.greatest * edge_room : span.greatest, per_cent_number);
+                         above ? span.greatest * edge_room : span.greatest, {per_cent_number, spread ? 7 : 14});
     axis.guides = error_limits;
     return axis;
 }
@@ -159,7 +159,7 @@ Axis time_axis(const Result& result) {
         result.timed == study::Timed::tick || (span.least < near * millisecond && span.greatest > millisecond / near);
     if (shows_limit) span.hold(millisecond);
     Axis axis = log_axis(fmt::format("Time of {} (median; whisker to the 99th percentile)", each(result.timed)), span.least,
-                         span.greatest, time_number);
+                         span.greatest, {time_number, 12});
     if (shows_limit) axis.guides = {{millisecond, "1 ms"}};
     return axis;
 }
@@ -220,10 +220,11 @@ Figure figure_of_errors(const Result& result) {
                               .reach = spread_of(setting, figure.x),
                               .beyond = sideways(beyond_of(setting.error.judged))});
     }
+    if (shown.empty()) figure.y.ticks = {{0.5, "no setting"}};
     for (Curve& curve : figure.curves) curve.name.clear();
     figure.notes = notes_of(result, false);
     constexpr double row_height = 26.0, around = 130.0;
-    figure.width = 800.0;
+    figure.width = 900.0;
     figure.x.label += result.judged.empty() ? "" : " (whisker to the worst)";
     figure.height = around + row_height * std::max(count, 1.0);
     return figure;
