@@ -1,5 +1,6 @@
 #include "apps/study/advice.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stylet::study {
@@ -10,7 +11,7 @@ template <class Fit, class Cost>
 std::optional<std::size_t> least(const std::vector<Weighed>& settings, Fit&& fit, Cost&& cost) {
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < settings.size(); ++i) {
-        if (!settings[i].timing || !std::isfinite(settings[i].error) || !fit(settings[i])) continue;
+        if (!settings[i].timing || !std::isfinite(settings[i].error) || !settings[i].same_rate() || !fit(settings[i])) continue;
         if (!best || cost(settings[i]) < cost(settings[*best])) best = i;
     }
     return best;
@@ -21,6 +22,10 @@ std::optional<std::size_t> least(const std::vector<Weighed>& settings, Fit&& fit
 bool Weighed::in_time(const Wish& wish) const {
     constexpr double us = 1e6;    // in a second
     return timing && timing->p99 <= wish.budget * us;
+}
+
+bool Weighed::same_rate() const {
+    return std::ranges::none_of(neighbour.changes, [](const core::Override& change) { return change.key == "run.rate"; });
 }
 
 void choose(Advice& advice) {

@@ -29,6 +29,9 @@ struct Weighed {
     /// 99 of 100 ticks are.
     [[nodiscard]] bool in_time(const Wish& wish) const;
     [[nodiscard]] bool near_enough(const Wish& wish) const { return error <= wish.error; }
+
+    /// How many ticks a second has is the hand's to say: another rate shows what it changes, and is not to be taken.
+    [[nodiscard]] bool same_rate() const;
 };
 
 /// What the settings are compared with.

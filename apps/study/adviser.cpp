@@ -16,7 +16,7 @@
 namespace stylet::study {
 namespace {
 
-constexpr double longest = 120.0;              // [s] of a setting's run
+constexpr double longest_setting = 120.0;      // [s] of a run
 constexpr double longest_reference = 600.0;    // [s]
 constexpr double quick = 0.5;                  // [s] a run that takes less is timed by several
 constexpr int repetitions = 5;                 // of those
@@ -24,6 +24,24 @@ constexpr int repetitions = 5;                 // of those
 /// Ends a run that would take too long.
 struct GivenUp {
     double seconds;    // that it would have taken
+};
+
+/// Ends a run once it is clear that it takes too long. Loading is not counted: it tells nothing of the rest.
+class Patience {
+public:
+    explicit Patience(double limit) : limit_(limit) {}
+
+    /// That so much of the run is done. Throws GivenUp.
+    void hear(double share) {
+        constexpr double least = 10.0;    // [s] before which nothing is clear
+        if (share <= 0.0) watch_.start();
+        const double passed = watch_.wall();
+        if (passed > least && passed > share * limit_) throw GivenUp{passed / share};
+    }
+
+private:
+    double limit_;    // [s] for the whole run
+    Stopwatch watch_;
 };
 
 /// The user asked for an end.
@@ -52,6 +70,13 @@ std::string with_changes(const std::string& name, const std::vector<core::Overri
     for (const core::Override& change : changes)
         text += fmt::format("{}{}={}", std::exchange(before, ", "), change.key, change.value);
     return text;
+}
+
+/// Runs of all rates shall cover the same time: before its first tick ends, a run counts as that leaves it.
+void begin_at_0(Outcome& outcome) {
+    if (outcome.x.empty()) return;
+    outcome.x.insert(outcome.x.begin(), 0.0);
+    outcome.y.insert(outcome.y.begin(), outcome.y.front());
 }
 
 std::vector<core::Override> joined(std::vector<core::Override> first, const std::vector<core::Override>& second) {
@@ -97,7 +122,7 @@ private:
     }
 
     /// Throws GivenUp, Stopped, and core::SceneErrors where the changed scene is none.
-    Outcome measured(const std::string& name, const std::vector<core::Override>& changes, double patience, Pace::Kind kind) {
+    Outcome measured(const std::string& name, const std::vector<core::Override>& changes, double longest, Pace::Kind kind) {
         Job job{.scene = base_.read(changes),
                 .name = name,
                 .key = "",
@@ -106,10 +131,10 @@ private:
                 .repetitions = 1,
                 .threads = request_.threads};
         Stopwatch watch;
+        Patience patience(longest);
         const auto told = [&](double share) {
-            constexpr double telling = 2.0;    // [s] until which nothing can be said
             tell(name, share, watch.wall(), kind);
-            if (share > 0.0 && watch.wall() > telling && watch.wall() > share * patience) throw GivenUp{watch.wall() / share};
+            patience.hear(share);
         };
         std::optional<Outcome> outcome = measure(job, request_.folders, stop_, told);
         if (outcome && outcome->missing.empty() && watch.wall() < quick) {
@@ -118,6 +143,7 @@ private:
         }
         if (!outcome) throw Stopped{};
         pace_.done(kind, watch.wall());
+        begin_at_0(*outcome);
         return *std::move(outcome);
     }
 
@@ -139,7 +165,7 @@ private:
         Weighed weighed{.neighbour = neighbour, .other_models = other_models};
         Outcome outcome;
         try {
-            outcome = measured(neighbour.name, neighbour.changes, longest, other_models ? Pace::models : Pace::steps);
+            outcome = measured(neighbour.name, neighbour.changes, longest_setting, other_models ? Pace::models : Pace::steps);
         } catch (const GivenUp& given_up) {
             outcome.missing = words_of(given_up);
         }
@@ -169,27 +195,27 @@ private:
                                 advice_.reference.name));
     }
 
-    /// The dearest combination that ran to its end.
-    [[nodiscard]] std::size_t dearest() const {
-        std::size_t dearest = 0;
+    /// The costliest combination that ran to its end.
+    [[nodiscard]] std::size_t costliest() const {
+        std::size_t costliest = 0;
         double most = -1.0;
         for (std::size_t i = 0; i < advice_.settings.size(); ++i) {
             const auto& timing = advice_.settings[i].timing;
             if (!outcomes_[i].missing.empty() || !timing || timing->median <= most) continue;
             most = timing->median;
-            dearest = i;
+            costliest = i;
         }
-        return dearest;
+        return costliest;
     }
 
     void look_for_reference() {
-        const Neighbour& models = advice_.settings[dearest()].neighbour;
+        const Neighbour& models = advice_.settings[costliest()].neighbour;
         const core::Scene scene = base_.read(models.changes);
         for (const bool with_words : {true, false}) {
             const auto finest = finest_step(scene, request_.folders, with_words);
             if (finest.empty() || try_reference(models, finest)) break;
         }
-        if (advice_.reference.name.empty()) take_reference(models.name, models.changes, outcomes_[dearest()]);
+        if (advice_.reference.name.empty()) take_reference(models.name, models.changes, outcomes_[costliest()]);
     }
 
     /// False where it is refused, ends in a fault, loses ticks or takes too long.
@@ -232,7 +258,7 @@ private:
             Omission omission{.neighbour = omitted};
             try {
                 const Outcome without =
-                    measured("without " + omitted.name, joined(chosen, omitted.changes), longest, Pace::omissions);
+                    measured("without " + omitted.name, joined(chosen, omitted.changes), longest_setting, Pace::omissions);
                 const ErrorOfOutcome change = error_of(without, with);
                 omission.why = change.why;
                 omission.change = change.error;

@@ -83,7 +83,10 @@ std::string written(double value, const std::string& unit) {
         const char* name;
     };
     static constexpr Prefix prefixes[] = {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1.0, ""}, {1e-3, "m"}, {1e-6, "u"}};
-    const auto fits = [&](const Prefix& prefix) { return std::abs(value) >= prefix.factor * (1.0 - 1e-9); };
+    const double most = unit == "s" ? 1.0 : prefixes[0].factor;    // nobody counts in kiloseconds
+    const auto fits = [&](const Prefix& prefix) {
+        return prefix.factor <= most && std::abs(value) >= prefix.factor * (1.0 - 1e-9);
+    };
     const auto* const prefix = takes_prefix(unit) ? std::ranges::find_if(prefixes, fits) : std::end(prefixes);
     if (prefix == std::end(prefixes)) return fmt::format("{:.{}g} {}", value, digits, unit);
     return fmt::format("{:.{}g} {}{}", value / prefix->factor, digits, prefix->name, unit);

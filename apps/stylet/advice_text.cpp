@@ -54,10 +54,11 @@ std::string heading(const Advice& advice) {
 }
 
 std::string remarks_of(const Weighed& setting) {
-    std::string all = setting.why;
-    for (const std::string& remark : setting.remarks) all += (all.empty() ? "" : "; ") + remark;
-    if (setting.timing && setting.timing->contended) all += (all.empty() ? "" : "; ") + std::string("timed on a busy machine");
-    return all;
+    std::vector<std::string> all = setting.remarks;
+    if (!setting.why.empty()) all.insert(all.begin(), setting.why);
+    if (!setting.same_rate()) all.emplace_back("not to be taken: the rate is the hand's");
+    if (setting.timing && setting.timing->contended) all.emplace_back("timed on a busy machine");
+    return fmt::format("{}", fmt::join(all, "; "));
 }
 
 std::string settings_text(const Advice& advice) {
@@ -82,48 +83,29 @@ std::string left_out_text(const Advice& advice) {
     return text;
 }
 
-/// "half_space, rod: 1.2 % off, 99 of 100 ticks within 62 µs"
-std::string described(const Weighed& setting) {
-    return fmt::format("{} ({} off, 99 of 100 ticks within {})", setting.neighbour.name, error_text(setting.error),
-                       time_text(setting.timing->p99));
-}
-
-std::string how_to_take(const Weighed& setting) {
-    if (setting.neighbour.changes.empty()) return "the scene as it is: ";
-    return "";
-}
-
-std::string words_below(const Weighed& setting) {
+/// A sentence that ends with the setting, and below it how to have it.
+std::string pointing(const std::string& sentence, const Weighed& setting) {
     const std::string words = set_words(setting.neighbour.changes);
-    return words.empty() ? "" : std::string(indent + 4, ' ') + words + "\n";
+    const std::string text =
+        paragraph(fmt::format("{} {}{}: {} off, {} a tick, 99 of 100 ticks within {}.", sentence, setting.neighbour.name,
+                              words.empty() ? " (the scene as it is)" : "", error_text(setting.error),
+                              time_text(setting.timing->median), time_text(setting.timing->p99)));
+    return text + (words.empty() ? "" : std::string(indent + 4, ' ') + words + "\n");
 }
 
 std::string verdict(const Advice& advice) {
-    const auto setting = [&](const std::optional<std::size_t>& index) -> const Weighed& { return advice.settings[*index]; };
-    const std::string limits = fmt::format("within {} and under {}", budget_text(advice), limit_text(advice));
+    const std::string in_time = "within " + budget_text(advice), near_enough = "under " + limit_text(advice);
+    std::string text;
     if (advice.take) {
-        const Weighed& take = setting(advice.take);
-        std::string text =
-            paragraph(fmt::format("Take {}{}: the most accurate {}.", how_to_take(take), described(take), limits)) +
-            words_below(take);
-        if (advice.cheapest == advice.take) return text + paragraph("It is the cheapest of these, too.");
-        const Weighed& cheapest = setting(advice.cheapest);
-        return text +
-               paragraph(fmt::format("The cheapest under {}: {}{}, {} a tick.", limit_text(advice), how_to_take(cheapest),
-                                     described(cheapest), time_text(cheapest.timing->median))) +
-               words_below(cheapest);
+        text += pointing("Take", advice.settings[*advice.take]);
+        text += paragraph(fmt::format("No other setting {} is nearer{}.", in_time,
+                                      advice.cheapest == advice.take ? fmt::format(", none {} is cheaper", near_enough) : ""));
+    } else {
+        text += paragraph(fmt::format("No setting is both {} and {}.", in_time, near_enough));
+        if (advice.nearest) text += pointing(fmt::format("The most accurate {} is", in_time), advice.settings[*advice.nearest]);
     }
-    std::string text = paragraph(fmt::format("No setting is {}.", limits));
-    if (advice.nearest) {
-        text += paragraph(fmt::format("The most accurate within {}: {}{}.", budget_text(advice),
-                                      how_to_take(setting(advice.nearest)), described(setting(advice.nearest)))) +
-                words_below(setting(advice.nearest));
-    }
-    if (advice.cheapest) {
-        text += paragraph(fmt::format("The cheapest under {}: {}{}.", limit_text(advice), how_to_take(setting(advice.cheapest)),
-                                      described(setting(advice.cheapest)))) +
-                words_below(setting(advice.cheapest));
-    }
+    if (advice.cheapest && advice.cheapest != advice.take)
+        text += pointing(fmt::format("The cheapest {} is", near_enough), advice.settings[*advice.cheapest]);
     return text;
 }
 

@@ -21,11 +21,11 @@ namespace {
 constexpr const char* examples =
     R"(Runs a scene and its neighbours, and says which setting to take: the most accurate whose ticks keep within the budget, and the
 cheapest under the error. Neighbours are every combination of the models that the scene holds maps for, or that need no parameters,
-and each parameter of the scene that buys accuracy with time, one step coarser and one step finer. The error is that of the hand's
-force over time (of a tissue alone how far its loaded patches move, of a needle that nobody holds how far it bows) against a
-reference: left out, the dearest of the models with all such parameters one step finer. Beneath: what each effect of the setting
-costs a tick, and what it changes, found by leaving it out. A run that would take over two minutes is given up, and told of.
-Times are only as good as the machine is quiet.
+and each parameter of the scene that buys accuracy with time, one step coarser and one step finer. Another rate is shown, and never
+taken: it is the hand's. The error is that of the hand's force over time (of a tissue alone, how far its loaded patches move; of a
+needle that nobody holds, how far it bows) against a reference: left out, the costliest of the models with all such parameters one
+step finer. Beneath: what each effect of the setting costs a tick and what it changes, found by leaving it out. A run that would
+take over two minutes is given up, and told of. Times are only as good as the machine is quiet.
 
 Examples:
   stylet advise scenes/paper/fig10a_l150.yaml
@@ -105,14 +105,17 @@ std::optional<study::Advice> advice_on(const study::Request& request) {
 ExitCode tell(const AdviceArguments& arguments) {
     const study::Request request = request_of(arguments);
     const bool to_stdout = arguments.json == "-";
+    const bool to_file = !arguments.json.empty() && !to_stdout;
+    if (to_file) expect_writable(arguments.json);
     const Interrupt interrupt;
     const std::optional<study::Advice> advice = advice_on(request);
     if (!advice) {
+        if (to_file) std::filesystem::remove(arguments.json);    // which was only tried
         fmt::print(stderr, "{}: stopped by Ctrl-C; nothing is kept\n", request.scene.string());
         return ExitCode::interrupted;
     }
     fmt::print("{}", to_stdout ? advice_json(*advice) : advice_text(*advice));
-    if (!to_stdout && !arguments.json.empty()) write_file(arguments.json, advice_json(*advice));
+    if (to_file) write_file(arguments.json, advice_json(*advice));
     return ExitCode::ok;
 }
 

@@ -37,8 +37,8 @@ TEST(CommandLine, NoCommandIsAWrongCommandLine) {
     const Outcome nothing = Bench().stylet({});
     EXPECT_EQ(nothing.code, 3);
     EXPECT_EQ(nothing.err,
-              "stylet: found no command, wanted run, check, plugins, scenes, plot, schema or critical-load; stylet --help tells "
-              "more\n");
+              "stylet: found no command, wanted run, check, plugins, scenes, plot, schema, critical-load, study or advise; "
+              "stylet --help tells more\n");
 }
 
 TEST(CommandLine, AnUnknownCommandIsNamed) {

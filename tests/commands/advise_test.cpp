@@ -1,0 +1,179 @@
+// `stylet advise`: which setting to take, and what effects cost and change. Runs are short here; times are never asked after.
+#include "tests/commands/command.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace stylet::commands {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+const std::string column = (scene_folder / "validation" / "column_in_air_pinned.yaml").string();
+const std::string block = (scene_folder / "validation" / "block_m0.yaml").string();
+
+/// An hour is a budget that every tick keeps, on any machine.
+const std::vector<std::string> any_time{"--budget", "1 hour"};
+
+Outcome advised(const Bench& bench, const std::string& scene, std::vector<std::string> more) {
+    std::vector<std::string> arguments{"advise", scene, "--threads", "1"};
+    arguments.insert(arguments.end(), any_time.begin(), any_time.end());
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return bench.stylet(arguments);
+}
+
+/// The one of this name, or null.
+json named(const json& list, const char* key, const std::string& name) {
+    for (const json& one : list) {
+        if (one[key] == name) return one;
+    }
+    return nullptr;
+}
+
+/// 5 mm at 100 mm/s into tissue of a coarse mesh, at 500 Hz.
+const std::vector<std::string> short_insertion{"--set", "device.motion=[{insert: 5 mm, speed: 100 mm/s}]",
+                                               "--set", "tissue.corotational_fem.cells=[4, 4, 2]",
+                                               "--set", "run.rate=500 Hz",
+                                               "--set", "needle.rod.nodes=11"};
+
+TEST(Advise, TellsWhatItMeasuredAgainstWhatAndWhatToTake) {
+    const Bench bench;
+    const Outcome advice = advised(bench, column, {"--set", "run.duration=0.05 s", "--error", "50%"});
+    ASSERT_EQ(advice.code, 0) << advice.err;
+    EXPECT_THAT(advice.err, IsEmpty());
+    EXPECT_THAT(advice.out, StartsWith("A column in air pushed against a pin\n"));
+    EXPECT_THAT(advice.out, HasSubstr("RMS of hand_force over time"));
+    EXPECT_THAT(advice.out, ContainsRegex("reference +rod with needle.rod.nodes=81, run.rate=2 kHz\n"));
+    EXPECT_THAT(advice.out, ContainsRegex("beam_column, euler \\(the scene\\) +[0-9.]+ % "));
+    EXPECT_THAT(advice.out, ContainsRegex("    run.rate=500 Hz .*not to be taken: the rate is the hand's"));
+    EXPECT_THAT(advice.out, ContainsRegex("  Take [a-z_, ]+: [0-9.e-]+ % off, .* a tick, 99 of 100 ticks within "));
+    EXPECT_THAT(advice.out, ContainsRegex("\n  effects\\[0\\] pin +.* % +.* % +.* N\n"));
+}
+
+TEST(Advise, WeighsEveryCombinationOfModelsOfAWholeScene) {
+    const Bench bench;
+    std::vector<std::string> arguments = short_insertion;
+    arguments.insert(arguments.end(), {"--error", "90%", "--json", "advice.json"});
+    const Outcome run = advised(bench, paper("fig10a_l150"), arguments);
+    ASSERT_EQ(run.code, 0) << run.err;
+    const json advice = json::parse(bench.read("advice.json"));
+    for (const char* tissue : {"half_space", "corotational_fem"}) {
+        for (const char* needle : {"beam_column, euler", "elastica, euler", "rod", "rigid"}) {
+            const json setting = named(advice["settings"], "name", std::string(tissue) + ", " + needle);
+            ASSERT_FALSE(setting.is_null()) << tissue << ", " << needle;
+            EXPECT_TRUE(setting["error"].is_number()) << setting;
+            EXPECT_TRUE(setting["tick"]["p99_us"].is_number());
+            EXPECT_TRUE(setting["within_budget"]);
+        }
+    }
+    EXPECT_EQ(advice["left_out"].size(), 1u) << advice["left_out"];
+    EXPECT_EQ(advice["left_out"][0]["name"], "winkler");
+    const json taken = named(advice["settings"], "name", advice["take"].get<std::string>());
+    for (const json& setting : advice["settings"]) {
+        if (setting["set"].contains("run.rate")) continue;
+        EXPECT_GE(setting["error"], taken["error"]) << setting["name"];
+    }
+    for (const auto& [key, value] : taken["set"].items())
+        EXPECT_THAT(run.out, HasSubstr("--set " + key + "=" + value.get<std::string>()));
+}
+
+TEST(Advise, SaysWhatEachEffectChanges) {
+    const Bench bench;
+    const Outcome run = advised(bench, block, {"--set", "run.duration=0.02 s", "--reference", "run.rate=1 kHz", "--json", "-"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    const json advice = json::parse(run.out);
+    EXPECT_EQ(advice["column"], "patch_displacement");
+    EXPECT_EQ(advice["take"], "corotational_fem") << "compared with itself";
+    EXPECT_EQ(advice["settings"][0]["error"], 0.0);
+    const json load = named(advice["effects"], "key", "effects[0]");
+    EXPECT_EQ(load["largest_without"], 0.0) << "what is not loaded is not measured to move";
+    const json weight = named(advice["effects"], "key", "tissue.corotational_fem.gravity");
+    EXPECT_GT(weight["changes"], 0.0);
+    EXPECT_LT(weight["largest_without"], advice["largest"]) << "its weight presses the loaded patch down";
+}
+
+TEST(Advise, LeavesOutWhatMakesNoSceneAndSaysSo) {
+    const Bench bench;
+    const Outcome run =
+        advised(bench, paper("fig10a_l150"),
+                {"--set", "device.motion=[{insert: 5 mm, speed: 100 mm/s}]", "--set", "needle.corotational_fem={}", "--set",
+                 "coupling.contact_spacing=0.2 mm", "--reference", "needle.type=rigid"});
+    EXPECT_EQ(run.code, 2) << run.out;
+    EXPECT_THAT(run.err, HasSubstr("needle.corotational_fem"));
+    // At twice as many contacts the needle would have too many of them.
+    const Outcome close = advised(bench, (scene_folder / "mock" / "surge.yaml").string(),
+                                  {"--set", "device.motion=[{insert: 5 mm, speed: 100 mm/s}]", "--set",
+                                   "coupling.contact_spacing=2 mm", "--reference", "needle.type=rigid"});
+    ASSERT_EQ(close.code, 0) << close.err;
+    EXPECT_THAT(close.out, ContainsRegex("left out: coupling.contact_spacing=1 mm: .*wanted at least"));
+}
+
+TEST(Advise, ComparesWithTheReferenceThatIsAskedFor) {
+    const Bench bench;
+    const Outcome run = advised(
+        bench, column,
+        {"--set", "run.duration=0.05 s", "--reference", "needle.type=elastica", "--reference", "run.rate=500 Hz", "--json", "-"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    const json reference = json::parse(run.out)["reference"];
+    EXPECT_EQ(reference["name"], "the scene with needle.type=elastica, run.rate=500 Hz");
+    EXPECT_EQ(reference["set"]["needle.type"], "elastica");
+}
+
+TEST(Advise, SaysWhereThereIsNothingToCompare) {
+    const Outcome run = advised(Bench(), block, {"--set", "effects=[]", "--set", "run.duration=0.005 s"});
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.err, AllOf(StartsWith(block + ": patch_displacement is 0 all along in the reference, "),
+                               HasSubstr("there is nothing to compare")));
+}
+
+TEST(AdviseRefuses, AWrongCommandLineInASentence) {
+    struct Wrong {
+        std::vector<std::string> arguments;
+        const char* message;
+    };
+    const Wrong wrongs[] = {
+        {{"--budget", "1"}, "--budget: found '1' without a unit, wanted a time for a tick, above 0, such as '1 ms'\n"},
+        {{"--budget", "1 mm"}, "--budget: found '1 mm', wanted a time for a tick, above 0, such as '1 ms'\n"},
+        {{"--budget", "-1 ms"}, "--budget: found '-1 ms', wanted a time for a tick, above 0, such as '1 ms'\n"},
+        {{"--error", "5"}, "--error: found '5', wanted a share between 0 and 1 such as 5% or 0.05\n"},
+        {{"--error", "0 %"}, "--error: found '0 %', wanted a share between 0 and 1 such as 5% or 0.05\n"},
+        {{"--error", "5 per cent"}, "--error: found '5 per cent', wanted a share between 0 and 1 such as 5% or 0.05\n"},
+        {{"--error", "nan"}, "--error: found 'nan', wanted a share between 0 and 1 such as 5% or 0.05\n"},
+        {{"--reference", "rod"}, "--reference: found 'rod', wanted KEY=VALUE, for instance needle.type=rod\n"},
+        {{block}, "SCENE: found 2, wanted one\n"},
+    };
+    for (const Wrong& wrong : wrongs) {
+        std::vector<std::string> arguments{"advise", column};
+        arguments.insert(arguments.end(), wrong.arguments.begin(), wrong.arguments.end());
+        const Outcome refused = Bench().stylet(arguments);
+        EXPECT_EQ(refused.code, 3) << wrong.arguments.back();
+        EXPECT_EQ(refused.err, wrong.message);
+        EXPECT_THAT(refused.out, IsEmpty());
+    }
+}
+
+TEST(AdviseRefuses, AWrongSceneOrReferenceBeforeAnythingIsRun) {
+    const Outcome scene = advised(Bench(), column, {"--set", "needle.radius=0.3"});
+    EXPECT_EQ(scene.code, 2);
+    EXPECT_THAT(scene.err, StartsWith("--set needle.radius: found '0.3' without a unit"));
+    const Outcome reference = advised(Bench(), column, {"--reference", "nedle.type=rod"});
+    EXPECT_EQ(reference.code, 2);
+    EXPECT_EQ(reference.err, "--reference nedle.type: found no key 'nedle' in the scene; did you mean 'needle'?\n");
+}
+
+TEST(AdviseRefuses, AFileThatCannotBeWrittenBeforeAnythingIsRun) {
+    const Outcome refused = advised(Bench(), column, {"--json", "nowhere/advice.json"});
+    EXPECT_EQ(refused.code, 4);
+    EXPECT_THAT(refused.err, HasSubstr("nowhere/advice.json"));
+    EXPECT_THAT(refused.out, IsEmpty());
+}
+
+}    // namespace
+}    // namespace stylet::commands
