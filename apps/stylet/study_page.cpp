@@ -37,7 +37,10 @@ std::string table(const Result& result) {
 
 std::string orders(const Result& result) {
     if (result.orders.empty()) return "";
-    std::string text = "## How the error falls\n\n| series | key | order | points | above |\n|---|---|---:|---:|---:|\n";
+    std::string text =
+        "## How the error falls\n\n"
+        "By least squares of logarithms, error ~ key^order, of the points above the error named.\n\n"
+        "| series | key | order | points | above |\n|---|---|---:|---:|---:|\n";
     for (const study::FittedOrder& order : result.orders) {
         text += fmt::format("| {} | `{}` | {:.2f} | {} | {} |\n", markdown(order.series), order.key, order.order, order.points,
                             markdown(error_text(order.least_error)));
@@ -50,9 +53,8 @@ std::string timing_words(const Result& result) {
     const bool loads = result.timed == study::Timed::load;
     return fmt::format(
         "Timed: {}{}. Of each repetition the median, p99 and worst are taken; the table has the medians of the first two, and "
-        "the "
-        "worst of all. A repetition that the machine kept waiting for more than {:g} % of its time is made again; what stays so "
-        "is marked {}.",
+        "the worst of all. A repetition that the machine kept waiting for more than {:g} % of its time is made again; what stays "
+        "so is marked {}.",
         timed_text(result), loads ? "" : ", each after a warm-up", 100.0 * study::most_waited, contended_mark);
 }
 
