@@ -54,10 +54,11 @@ struct Machine {
 struct Result {
     std::string title;
     std::string question;
-    std::string scene;        // files' names, as the study gives them
-    std::string measured;     // "RMS of hand_force over travel, as a share of its largest value"
-    std::string reference;    // "elliptic integrals (closed form)"
-    std::string judged;       // "median of 200 cases"; empty where there is one
+    std::string scene;              // files' names, as the study gives them
+    std::string measured;           // "RMS of hand_force over travel, as a share of its largest value"
+    std::string reference;          // "elliptic integrals (closed form)"
+    bool own_references = false;    // each series has its own: errors of different series are of different things
+    std::string judged;             // "median of 200 cases"; empty where there is one
     Timed timed;
     int repetitions, threads;
     std::optional<std::pair<std::string, std::string>> split{};    // the parts' names

@@ -93,6 +93,8 @@ std::vector<std::string> notes_of(const Result& result, bool timed) {
         if (!setting.remarks.empty()) failed += fmt::format(" ({})", setting.remarks.front());
     }
     if (below) notes.push_back(fmt::format("{} beyond the axis: an error {}.", timed ? "↓" : "←", error_text(0.0)));
+    if (timed && result.own_references)
+        notes.push_back("Filled: no other setting of its series is both cheaper and nearer. Each series has its own reference.");
     if (contended) notes.push_back(fmt::format("{} the machine had other work.", contended_mark));
     if (!failed.empty()) notes.push_back(failed + ".");
     return notes;
@@ -127,11 +129,11 @@ void add_setting(const SettingResult& setting, Figure& figure) {
                            .beyond = beyond});
 }
 
-/// Stairs: with so much time, this error can be had.
+/// Stairs: with so much time, this error can be had. Empty where errors of different series are not to be compared.
 Curve front_of(const Result& result, const Figure& figure) {
     std::vector<Point> steps;
     for (const SettingResult& setting : result.settings) {
-        if (setting.on_front && is_shown(setting, true))
+        if (!result.own_references && setting.on_front && is_shown(setting, true))
             steps.push_back({setting.timing->median, place_of(setting.error.judged, figure.y)});
     }
     std::ranges::sort(steps, {}, &Point::x);

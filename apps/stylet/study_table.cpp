@@ -106,8 +106,12 @@ StudyTable study_table(const Result& result) {
 
 std::vector<std::string> marks_explained(const Result& result) {
     std::vector<std::string> sentences;
-    if (any(result, [](const SettingResult& s) { return s.on_front; }))
-        sentences.push_back(fmt::format("{} on the Pareto front: no other setting is both cheaper and nearer.", front_mark));
+    if (any(result, [](const SettingResult& s) { return s.on_front; })) {
+        const char* const where = result.own_references
+                                      ? "on its series' Pareto front: no other setting of it is both cheaper and nearer"
+                                      : "on the Pareto front: no other setting is both cheaper and nearer";
+        sentences.push_back(fmt::format("{} {}.", front_mark, where));
+    }
     if (any(result, [](const SettingResult& s) { return s.timing && s.timing->contended; }))
         sentences.push_back(fmt::format("{} contended: the machine had other work, however often this was run.", contended_mark));
     return sentences;

@@ -139,6 +139,14 @@ TEST(StudyFigure, TheFrontIsStairsThroughItsSettingsWhoseMarkersAreFilled) {
     }
 }
 
+TEST(StudyFigure, SeriesWithReferencesOfTheirOwnHaveNoFrontInCommon) {
+    study::Result result = fast_answers();
+    result.own_references = true;
+    const Figure figure = app::figure_of(result);
+    for (const Curve& curve : figure.curves) EXPECT_NE(curve.look, app::Look::band);
+    EXPECT_THAT(figure.notes, Contains(HasSubstr("of its series")));
+}
+
 TEST(StudyFigure, WhatTheAxesDoNotReachStandsAtTheirEdge) {
     const Figure figure = app::figure_of(odd_settings());
     const Mark *exact = nullptr, *wild = mark_of(figure, "250 Hz"), *reference = mark_of(figure, "reference");

@@ -63,6 +63,13 @@ TEST(StudyText, TimesAreComparedWithATimedReference) {
     EXPECT_THAT(app::study_text(three_settings()), Not(HasSubstr("speed-up")));
 }
 
+TEST(StudyText, TheFrontIsItsSeriesWhereEachHasItsOwnReference) {
+    study::Result result = many_settings();
+    EXPECT_THAT(app::study_text(result), HasSubstr("◆ on the Pareto front"));
+    result.own_references = true;
+    EXPECT_THAT(app::study_text(result), HasSubstr("◆ on its series' Pareto front"));
+}
+
 TEST(StudyText, WhereNothingIsTimedThereAreNoTimes) {
     const std::string text = app::study_text(nothing_timed());
     EXPECT_THAT(text, AllOf(Not(HasSubstr("µs")), Not(HasSubstr("p99")), Not(HasSubstr("timed"))));
