@@ -14,8 +14,12 @@
 namespace stylet::study {
 namespace {
 
+/// Of several changes of one key the last alone: so that what comes to the same is seen to be the same, and measured once.
 std::vector<core::Override> joined(std::vector<core::Override> changes, const std::vector<core::Override>& more) {
-    changes.insert(changes.end(), more.begin(), more.end());
+    for (const core::Override& change : more) {
+        std::erase_if(changes, [&](const core::Override& earlier) { return earlier.key == change.key; });
+        changes.push_back(change);
+    }
     return changes;
 }
 
