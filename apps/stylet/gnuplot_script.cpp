@@ -144,9 +144,7 @@ private:
         add_axis("x", figure_.x, "0,0.2");
         add_axis("y", figure_.y, "1.2,0");
         add("set grid lt 1 dt solid lw 0.5 lc rgb '#DDDDDD'");
-        if (!figure_.title.empty())    // at the page's top, whatever lies between it and the plot
-            add("set label {} at {} center noenhanced", quoted(figure_.title),
-                screen({(plot.left + plot.right) / 2.0, 0.5 * Page::key_line + 8.0}));
+        if (!figure_.title.empty()) add("set label {} at {} center noenhanced", quoted(figure_.title), screen(page_.title()));
         add("unset key");
         add_guides();
         for (std::size_t line = 0; line < page_.notes().size(); ++line) {

@@ -140,6 +140,13 @@ Point Page::pixel(const Point& point) const {
             std::lerp(plot_.bottom, plot_.top, figure_.y.share(point.y))};
 }
 
+/// At the page's top, whatever lies between it and the plot; above the plot's middle as far as the page is wide enough.
+Point Page::title() const {
+    constexpr double edge = 8.0;
+    const double half = text_width(figure_.title, font) / 2.0 + edge, middle = (plot_.left + plot_.right) / 2.0;
+    return {half < width() - half ? std::clamp(middle, half, width() - half) : width() / 2.0, 0.5 * key_line + 8.0};
+}
+
 std::size_t Page::pixel_index(const Point& point) const {
     const auto column = static_cast<std::size_t>(std::clamp(point.x, 0.0, width() - 1.0));
     const auto row = static_cast<std::size_t>(std::clamp(point.y, 0.0, height_ - 1.0));

@@ -42,6 +42,7 @@ public:
 
     [[nodiscard]] double width() const { return figure_.width; }
     [[nodiscard]] double height() const { return height_; }
+    [[nodiscard]] Point title() const;                                                // its middle
     [[nodiscard]] const Box& plot() const { return plot_; }                           // the axes' rectangle
     [[nodiscard]] const std::optional<Box>& key() const { return key_; }              // none for a single curve
     [[nodiscard]] const std::vector<std::size_t>& keyed() const { return keyed_; }    // the curves that it names

@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <map>
 
 namespace stylet::app {
 namespace {
@@ -80,23 +82,36 @@ double place_of(double error, const Axis& axis) {
     return beyond == Beyond::below ? axis.at(edge) : beyond == Beyond::above ? axis.at(1.0 - edge) : per_cent(error);
 }
 
-/// What cannot be drawn is told below.
-std::vector<std::string> notes_of(const Result& result, bool timed) {
-    std::vector<std::string> notes;
-    std::string failed;
-    bool below = timed && result.reference_timing, contended = false;
+/// "Not shown (never punctured): rod, 6 nodes; rod, 11 nodes." for each reason.
+std::vector<std::string> not_shown(const Result& result, bool timed) {
+    std::vector<std::string> reasons;
+    std::map<std::string, std::string> names;    // by reason
     for (const SettingResult& setting : result.settings) {
-        contended |= timed && setting.timing && setting.timing->contended;
-        below |= is_shown(setting, timed) && beyond_of(setting.error.judged) == Beyond::below;
         if (is_shown(setting, timed)) continue;
-        failed += (failed.empty() ? "Not shown: " : "; ") + setting.name();
-        if (!setting.remarks.empty()) failed += fmt::format(" ({})", setting.remarks.front());
+        const std::string reason = setting.remarks.empty() ? "" : fmt::format(" ({})", setting.remarks.front());
+        std::string& listed = names[reason];
+        if (listed.empty()) reasons.push_back(reason);
+        listed += (listed.empty() ? "" : "; ") + setting.name();
     }
+    std::vector<std::string> notes;
+    for (const std::string& reason : reasons) notes.push_back(fmt::format("Not shown{}: {}.", reason, names[reason]));
+    return notes;
+}
+
+/// What the picture cannot say by itself is told below.
+std::vector<std::string> notes_of(const Result& result, bool timed) {
+    const auto any = [&](const auto& has) { return std::ranges::any_of(result.settings, has); };
+    const bool below = (timed && result.reference_timing) || any([timed](const SettingResult& setting) {
+                           return is_shown(setting, timed) && beyond_of(setting.error.judged) == Beyond::below;
+                       });
+    const bool contended = timed && any([](const SettingResult& setting) { return setting.timing && setting.timing->contended; });
+    std::vector<std::string> notes;
     if (below) notes.push_back(fmt::format("{} beyond the axis: an error {}.", timed ? "↓" : "←", error_text(0.0)));
     if (timed && result.own_references)
-        notes.push_back("Filled: no other setting of its series is both cheaper and nearer. Each series has its own reference.");
+        notes.emplace_back(
+            "Filled: no other setting of its series is both cheaper and nearer. Each series has its own reference.");
     if (contended) notes.push_back(fmt::format("{} the machine had other work.", contended_mark));
-    if (!failed.empty()) notes.push_back(failed + ".");
+    std::ranges::move(not_shown(result, timed), std::back_inserter(notes));
     return notes;
 }
 

@@ -168,7 +168,7 @@ TEST(StudyFigure, WhatTheAxesDoNotReachStandsAtTheirEdge) {
 
 TEST(StudyFigure, ASettingThatFailedBreaksItsLineAndIsNamedBelow) {
     const Figure figure = app::figure_of(many_settings());
-    EXPECT_THAT(figure.notes, Contains("Not shown: beam_column, 250 Hz (never punctured)."));
+    EXPECT_THAT(figure.notes, Contains("Not shown (never punctured): beam_column, 250 Hz."));
     EXPECT_THAT(figure.notes, Contains("† the machine had other work."));
     EXPECT_EQ(mark_of(figure, "250 Hz"), nullptr);
     EXPECT_TRUE(std::isnan(figure.curves[1].points.front().x));
@@ -182,7 +182,7 @@ TEST(StudyFigure, WhereNothingIsTimedEachSettingHasARowWithItsError) {
     ASSERT_EQ(figure.y.ticks.size(), result.settings.size() - 1);    // one failed
     for (std::size_t i = 0; i < figure.y.ticks.size(); ++i) EXPECT_EQ(figure.y.ticks[i].text, result.settings[i].name());
     EXPECT_EQ(figure.x.label, "Error, median of 200 cases (whisker to the worst)");
-    EXPECT_THAT(figure.notes, Contains("Not shown: euler (asks for no tissue)."));
+    EXPECT_THAT(figure.notes, Contains("Not shown (asks for no tissue): euler."));
 }
 
 TEST(StudyFigure, NothingToDrawIsAPictureAllTheSame) {
