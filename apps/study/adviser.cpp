@@ -184,7 +184,7 @@ private:
     void find_reference() {
         if (request_.reference) {
             const std::string name = with_changes("the scene", *request_.reference);
-            take_reference(name, *request_.reference, measured(name, *request_.reference, INFINITY, Pace::references));
+            take_reference(name, *request_.reference, measured("the reference", *request_.reference, INFINITY, Pace::references));
         } else {
             look_for_reference();
         }
@@ -223,7 +223,7 @@ private:
         const std::string name = with_changes(models.name, finest);
         const std::vector<core::Override> changes = joined(models.changes, finest);
         try {
-            Outcome outcome = measured(name, changes, longest_reference, Pace::references);
+            Outcome outcome = measured("the reference", changes, longest_reference, Pace::references);
             if (!outcome.missing.empty()) return false;
             take_reference(name, changes, std::move(outcome));
             return true;

@@ -40,17 +40,22 @@ std::string limit_text(const Advice& advice) {
     return fmt::format("{:g} %", 100.0 * advice.wish.error);
 }
 
+/// A fact's name, and what may be too long for a line.
+std::string fact(const std::string& name, const std::string& text) {
+    constexpr std::size_t names = 12;    // [characters] that the longest takes, and what parts it from its text
+    return std::string(indent, ' ') + name + std::string(names - name.size(), ' ') +
+           wrapped(text, indent + names, page_width).substr(indent + names);
+}
+
 std::string heading(const Advice& advice) {
-    Table facts({Align::left, Align::left});
-    facts.add({"scene", advice.scene.string()});
-    facts.add({"error", fmt::format("RMS of {} over time, as a share of its largest, {}", advice.column,
-                                    amount(advice.reference.largest, advice.unit))});
-    facts.add({"reference", advice.reference.name});
-    const std::string cost = advice.reference.timing ? time_text(advice.reference.timing->median) + " a tick; " : "";
-    facts.add({"", cost + "--reference KEY=VALUE chooses another"});
-    facts.add({"timed", fmt::format("every tick, {} thread{}", advice.threads, advice.threads == 1 ? "" : "s")});
-    facts.add({"machine", machine_text(advice.machine)});
-    return advice.title + "\n" + facts.text(indent) + "\n";
+    const study::ReferenceSetting& reference = advice.reference;
+    const std::string cost = reference.timing ? time_text(reference.timing->median) + " a tick; " : "";
+    return advice.title + "\n" + fact("scene", advice.scene.string()) +
+           fact("error", fmt::format("RMS of {} over time, as a share of its largest, {}", advice.column,
+                                     amount(reference.largest, advice.unit))) +
+           fact("reference", fmt::format("{} ({}--reference KEY=VALUE chooses another)", reference.name, cost)) +
+           fact("timed", fmt::format("every tick, {} thread{}", advice.threads, advice.threads == 1 ? "" : "s")) +
+           fact("machine", machine_text(advice.machine)) + "\n";
 }
 
 std::string remarks_of(const Weighed& setting) {
@@ -90,7 +95,8 @@ std::string pointing(const std::string& sentence, const Weighed& setting) {
         paragraph(fmt::format("{} {}{}: {} off, {} a tick, 99 of 100 ticks within {}.", sentence, setting.neighbour.name,
                               words.empty() ? " (the scene as it is)" : "", error_text(setting.error),
                               time_text(setting.timing->median), time_text(setting.timing->p99)));
-    return text + (words.empty() ? "" : std::string(indent + 4, ' ') + words + "\n");
+    const std::string mind = setting.remarks.empty() ? "" : paragraph(fmt::format("Mind: {}.", fmt::join(setting.remarks, "; ")));
+    return text + (words.empty() ? "" : std::string(indent + 4, ' ') + words + "\n") + mind;
 }
 
 std::string verdict(const Advice& advice) {
@@ -101,7 +107,8 @@ std::string verdict(const Advice& advice) {
         text += paragraph(fmt::format("No other setting {} is nearer{}.", in_time,
                                       advice.cheapest == advice.take ? fmt::format(", none {} is cheaper", near_enough) : ""));
     } else {
-        text += paragraph(fmt::format("No setting is both {} and {}.", in_time, near_enough));
+        text += paragraph(fmt::format("No setting is both {} and {}. Each step was taken alone: --set one and ask again.",
+                                      in_time, near_enough));
         if (advice.nearest) text += pointing(fmt::format("The most accurate {} is", in_time), advice.settings[*advice.nearest]);
     }
     if (advice.cheapest && advice.cheapest != advice.take)
