@@ -40,7 +40,10 @@ std::string system_name() {
     utsname kernel{};
     const bool named = uname(&kernel) == 0;
     const std::string distribution = value_in("/etc/os-release", "PRETTY_NAME");
-    const std::string under = named ? fmt::format("{} {} {}", kernel.sysname, kernel.release, kernel.machine) : "unknown";
+    const std::string release = kernel.release;    // of which the first two numbers: the rest is a distribution's own
+    const std::string under = named ? fmt::format("{} {} {}", kernel.sysname,
+                                                  release.substr(0, release.find('.', release.find('.') + 1)), kernel.machine)
+                                    : "unknown";
     return distribution.empty() ? under : fmt::format("{}, {}", distribution, under);
 }
 

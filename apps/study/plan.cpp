@@ -14,12 +14,18 @@
 namespace stylet::study {
 namespace {
 
-/// Of several changes of one key the last alone: so that what comes to the same is seen to be the same, and measured once.
+bool lies_in(const std::string& key, const std::string& map) {
+    return key.starts_with(map) && (key.size() == map.size() || key[map.size()] == '.' || key[map.size()] == '[');
+}
+
+/// What comes to the same looks the same, and is measured once: of what was changed twice the last is kept, and all are in order,
+/// maps before what is within them.
 std::vector<core::Override> joined(std::vector<core::Override> changes, const std::vector<core::Override>& more) {
     for (const core::Override& change : more) {
-        std::erase_if(changes, [&](const core::Override& earlier) { return earlier.key == change.key; });
+        std::erase_if(changes, [&](const core::Override& earlier) { return lies_in(earlier.key, change.key); });
         changes.push_back(change);
     }
+    std::ranges::sort(changes, {}, &core::Override::key);
     return changes;
 }
 

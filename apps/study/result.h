@@ -28,6 +28,7 @@ struct SettingResult {
     std::optional<ErrorOfCases> split_part{}, split_rest{};    // where the study splits the error
     std::vector<std::string> remarks{};                        // "never punctured", "found no equilibrium in 3 ticks"
     bool on_front = false;                                     // no other setting is both cheaper and nearer
+    bool is_reference = false;                                 // in each case the very run it is compared with
     bool failed = false;                                       // its error is not finite
 
     /// "rod, 41 nodes"

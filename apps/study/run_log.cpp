@@ -1,10 +1,10 @@
 #include "apps/study/run_log.h"
 
-#include <stylet/error.h>
-
 #include <nlohmann/json.hpp>
 
+#include <cerrno>
 #include <limits>
+#include <system_error>
 
 namespace stylet::study {
 namespace {
@@ -44,6 +44,10 @@ Outcome to_outcome(const Json& json) {
     return outcome;
 }
 
+[[noreturn]] void refuse(const std::filesystem::path& file) {
+    throw std::system_error(errno, std::generic_category(), file.string());
+}
+
 }    // namespace
 
 RunLog::RunLog(const std::filesystem::path& file) : file_(file) {
@@ -62,7 +66,7 @@ RunLog::RunLog(const std::filesystem::path& file) : file_(file) {
     }
     stream_.open(file, std::ios::app);
     if (!whole) stream_ << '\n';
-    if (!stream_) throw Error("'" + file.string() + "' cannot be written");
+    if (!stream_) refuse(file);
 }
 
 const Outcome* RunLog::find(const std::string& key) const {
@@ -82,7 +86,7 @@ void RunLog::add(const std::string& key, const std::string& name, const Outcome&
     const std::string line = json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
     const std::lock_guard lock(mutex_);
     stream_ << line << std::flush;
-    if (!stream_) throw Error("'" + file_.string() + "' could not be written to its end (is the disk full?)");
+    if (!stream_) refuse(file_);
 }
 
 }    // namespace stylet::study

@@ -15,12 +15,12 @@ namespace stylet::study {
 /// kill, are as if they were not there.
 class RunLog {
 public:
-    /// Without a file nothing is kept. Throws Error where it cannot be written.
+    /// Without a file nothing is kept. Throws std::system_error where it cannot be written.
     explicit RunLog(const std::filesystem::path& file);
 
     [[nodiscard]] const Outcome* find(const std::string& key) const;
 
-    /// May be called from several threads. Throws Error where the disk is full.
+    /// May be called from several threads. Throws std::system_error where the disk is full.
     void add(const std::string& key, const std::string& name, const Outcome& outcome);
 
 private:

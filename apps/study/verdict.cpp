@@ -23,17 +23,12 @@ double time_of(const SettingResult* setting) {
     return setting->timing->median;
 }
 
-/// Below arithmetic's own error: the reference itself, or what computes the same.
-bool is_exact(const SettingResult& setting) {
-    return setting.error.judged < least_error;
-}
-
 /// Those with an error to compare, and a time where something was timed.
 Settings comparable(const Result& result) {
     Settings settings;
     for (const SettingResult& setting : result.settings) {
         const bool has_time = result.timed == Timed::nothing || setting.timing;
-        if (std::isfinite(setting.error.judged) && !is_exact(setting) && has_time) settings.push_back(&setting);
+        if (std::isfinite(setting.error.judged) && !setting.is_reference && has_time) settings.push_back(&setting);
     }
     return settings;
 }
@@ -83,8 +78,10 @@ bool dominates(const SettingResult* one, const SettingResult* other) {
 void mark_front(Result& result) {
     const Settings settings = result.timed == Timed::nothing ? Settings{} : comparable(result);
     for (SettingResult& setting : result.settings) {
-        setting.on_front = std::ranges::count(settings, &setting) == 1 &&
-                           std::ranges::none_of(settings, [&](const SettingResult* other) { return dominates(other, &setting); });
+        const auto beats = [&](const SettingResult* other) {
+            return (!result.own_references || other->series == setting.series) && dominates(other, &setting);
+        };
+        setting.on_front = std::ranges::count(settings, &setting) == 1 && std::ranges::none_of(settings, beats);
     }
 }
 
@@ -131,23 +128,35 @@ std::vector<std::string> counts(const Settings& settings) {
 
 std::string left_out(const SettingResult& setting, Timed timed) {
     const std::string costs = setting.timing ? fmt::format(" (it costs {})", cost(setting, timed)) : "";
-    return fmt::format("{} has no error to measure: it is the reference itself, or computes the same. It takes no part here{}.",
-                       setting.name(), costs);
+    return fmt::format("{} is the reference itself and takes no part here{}.", setting.name(), costs);
+}
+
+std::vector<std::string> sentences_of(const Settings& settings, Timed timed) {
+    if (timed == Timed::nothing) return counts(settings);
+    std::vector<std::string> sentences = cheapest_under(settings, timed);
+    sentences.push_back(most_accurate(settings, timed));
+    return sentences;
+}
+
+/// The settings of each series, in the order of the series.
+std::vector<Settings> by_series(const Settings& settings) {
+    std::vector<Settings> series;
+    for (const SettingResult* setting : settings) {
+        if (series.empty() || series.back().front()->series != setting->series) series.emplace_back();
+        series.back().push_back(setting);
+    }
+    return series;
 }
 
 std::vector<std::string> sentences_of(const Result& result) {
     const Settings settings = comparable(result);
     std::vector<std::string> sentences;
-    if (settings.empty()) {
-        sentences.emplace_back("No setting has an error to compare.");
-    } else if (result.timed == Timed::nothing) {
-        sentences = counts(settings);
-    } else {
-        sentences = cheapest_under(settings, result.timed);
-        sentences.push_back(most_accurate(settings, result.timed));
+    if (settings.empty()) sentences.emplace_back("No setting has an error to compare.");
+    for (const Settings& some : result.own_references ? by_series(settings) : std::vector<Settings>{settings}) {
+        if (!some.empty()) std::ranges::copy(sentences_of(some, result.timed), std::back_inserter(sentences));
     }
     for (const SettingResult& setting : result.settings) {
-        if (is_exact(setting)) sentences.push_back(left_out(setting, result.timed));
+        if (setting.is_reference) sentences.push_back(left_out(setting, result.timed));
     }
     return sentences;
 }

@@ -17,12 +17,17 @@ std::string seen_from(const Study& study, const std::filesystem::path& file) {
     return file.lexically_proximate(study.file.parent_path()).string();
 }
 
-/// " from 0.002 m to 0.08 m"
+std::string shown(double value, const std::string& unit) {
+    constexpr double mm = 1e-3;    // [m]
+    return unit == "m" ? fmt::format("{:g} mm", value / mm) : fmt::format("{:g} {}", value, unit);
+}
+
+/// " from 2 mm to 80 mm"
 std::string stretch(const CurveMeasure& measure) {
     const core::Column* over = core::column_named(measure.over);
     std::string words;
-    if (std::isfinite(measure.from)) words += fmt::format(" from {:g} {}", measure.from, over->unit);
-    if (std::isfinite(measure.to)) words += fmt::format(" to {:g} {}", measure.to, over->unit);
+    if (std::isfinite(measure.from)) words += " from " + shown(measure.from, over->unit);
+    if (std::isfinite(measure.to)) words += " to " + shown(measure.to, over->unit);
     return words;
 }
 
@@ -39,7 +44,7 @@ struct MeasureWords {
         return fmt::format("relative error of {} when it is first {}", m.column, m.event);
     }
     std::string operator()(const AnswerMeasure& m) const {
-        return fmt::format("relative error of the critical load with {:g} mm inserted", m.depth * 1e3);
+        return fmt::format("relative error of the critical load with {} inserted", shown(m.depth, "m"));
     }
 };
 

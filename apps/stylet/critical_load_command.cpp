@@ -169,13 +169,6 @@ struct Destinations {
     [[nodiscard]] bool to_stdout() const { return json == "-" || csv == "-"; }
 };
 
-/// Leaves nothing behind.
-void try_to_write(const fs::path& file) {
-    const bool was_there = fs::exists(file);
-    expect_writable(file);
-    if (!was_there) fs::remove(file);
-}
-
 Destinations destinations(const LoadArguments& arguments) {
     Destinations to{.json = only("--json", arguments.json), .csv = only("--csv", arguments.csv), .plot = {}};
     if (const auto plot = only("--plot", arguments.plot)) to.plot = stem_of(*plot);
@@ -186,11 +179,11 @@ Destinations destinations(const LoadArguments& arguments) {
 
 void expect_writable(const Destinations& to) {
     for (const auto& file : {to.json, to.csv}) {
-        if (file && *file != "-") try_to_write(*file);
+        if (file && *file != "-") expect_writable_later(*file);
     }
     if (!to.plot) return;
     make_folder(to.plot->parent_path());
-    for (const char* ending : {".svg", ".png"}) try_to_write(to.plot->string() + ending);
+    for (const char* ending : {".svg", ".png"}) expect_writable_later(to.plot->string() + ending);
 }
 
 void deliver(const std::string& text, const std::optional<std::string>& file) {

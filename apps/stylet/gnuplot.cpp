@@ -27,7 +27,7 @@ public:
         std::error_code failed;
         std::string pattern = (fs::temp_directory_path(failed) / "stylet-XXXXXX").string();
         if (failed || mkdtemp(pattern.data()) == nullptr) {
-            throw Failure(ExitCode::missing, "stylet plot: found no folder for temporary files, wanted one in TMPDIR");
+            throw Failure(ExitCode::missing, "stylet: found no folder for temporary files, wanted one in TMPDIR");
         }
         path_ = pattern;
     }
@@ -56,7 +56,7 @@ void run_gnuplot(const fs::path& folder) {
     const boost::filesystem::path gnuplot = process::search_path("gnuplot");
     if (gnuplot.empty()) {
         throw Failure(ExitCode::missing,
-                      "stylet plot: found no gnuplot on the PATH, wanted one to draw with (apt-get install gnuplot-nox)");
+                      "stylet: found no gnuplot on the PATH, wanted one to draw with (apt-get install gnuplot-nox)");
     }
     const fs::path errors = folder / "errors";
     std::error_code failed;
@@ -65,7 +65,7 @@ void run_gnuplot(const fs::path& folder) {
                                      process::std_in<process::null, process::std_out> process::null,
                                      process::std_err > errors.string(), failed);
     if (failed || code != 0 || !fs::exists(folder / "figure.png")) {
-        throw Failure(ExitCode::missing, fmt::format("stylet plot: gnuplot could not draw the picture: {}",
+        throw Failure(ExitCode::missing, fmt::format("stylet: gnuplot could not draw the picture: {}",
                                                      failed ? failed.message() : first_line(errors)));
     }
 }

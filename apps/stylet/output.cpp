@@ -33,6 +33,12 @@ void expect_writable(const std::filesystem::path& file) {
     if (!std::ofstream(file, std::ios::app)) cannot_write(file, errno);
 }
 
+void expect_writable_later(const std::filesystem::path& file) {
+    const bool was_there = std::filesystem::exists(file);
+    expect_writable(file);
+    if (!was_there) std::filesystem::remove(file);
+}
+
 void write_file(const std::filesystem::path& file, const std::string& text) {
     errno = 0;
     std::ofstream stream(file, std::ios::binary);

@@ -67,7 +67,7 @@ ExitCode conduct(const StudyArguments& arguments) {
     const study::Study study = study::read_study(arguments.file, plugin_folders(arguments.plugin_dirs));
     make_folder(arguments.out);
     const StudyFiles files{fs::path(arguments.out) / fs::path(arguments.file).stem()};
-    for (const char* ending : {".csv", ".md", ".png", ".svg"}) expect_writable(files.with(ending));
+    for (const char* ending : {".csv", ".md", ".png", ".svg", ".runs.jsonl"}) expect_writable_later(files.with(ending));
     const fs::path log = files.with(".runs.jsonl");
     if (arguments.again) fs::remove(log);
 

@@ -164,7 +164,7 @@ TEST(Plot, WithoutGnuplotSaysWhatToInstall) {
     bench.write("one.csv", recording("One", 0.7));
     const Outcome plot = bench.stylet_with_path(bench.path("").string(), {"plot", "one.csv"});
     EXPECT_EQ(plot.code, 4);
-    EXPECT_EQ(plot.err, "stylet plot: found no gnuplot on the PATH, wanted one to draw with (apt-get install gnuplot-nox)\n");
+    EXPECT_EQ(plot.err, "stylet: found no gnuplot on the PATH, wanted one to draw with (apt-get install gnuplot-nox)\n");
     EXPECT_FALSE(bench.has("one.svg"));
 }
 

@@ -98,11 +98,11 @@ TEST(Verdict, CountsWhereNothingIsTimed) {
 TEST(Verdict, LetsTheReferenceNotWinSilently) {
     std::vector<Point> points = usual;
     points.push_back({"321 nodes", 0.0, 5.0, 6.0});
-    const Result result = result_of(Timed::tick, points);
+    Result result = result_of(Timed::tick, points);
+    result.settings.back().is_reference = true;
+    add_verdict(result);
     EXPECT_EQ(result.verdict.front(), "Cheapest under 1 %: rod, 21 nodes: 0.42 % at 38.0 µs a tick.");
-    EXPECT_EQ(result.verdict.back(),
-              "rod, 321 nodes has no error to measure: it is the reference itself, or computes the same. It takes no part here "
-              "(it costs 5.00 µs a tick).");
+    EXPECT_EQ(result.verdict.back(), "rod, 321 nodes is the reference itself and takes no part here (it costs 5.00 µs a tick).");
     EXPECT_THAT(front_of(result), ElementsAre("6 nodes", "11 nodes", "21 nodes", "41 nodes", "81 nodes", "161 nodes"));
 }
 
@@ -132,6 +132,25 @@ TEST(ParetoFront, IsWhatNoOtherBeatsInBoth) {
                                                  {"as cheap, further", 0.11, 10.0, 10.0},
                                                  {"failed", infinity, 1.0, 1.0}})),
                 ElementsAre("cheap", "good", "good too"));
+}
+
+TEST(Verdict, ComparesNoSeriesWhereEachHasAReferenceOfItsOwn) {
+    Result result = result_of(Timed::tick, {{"1 kHz", 0.002, 5.0, 6.0}});
+    SettingResult other = result.settings.front();
+    other.series = "rigid";
+    other.error = {0.001, 0.001, 0.001, 0.001};
+    other.timing->median = 1.0;
+    result.settings.push_back(other);
+    add_verdict(result);
+    EXPECT_FALSE(result.settings.front().on_front) << "the other is cheaper and nearer";
+
+    result.own_references = true;
+    add_verdict(result);
+    EXPECT_TRUE(result.settings.front().on_front);
+    EXPECT_THAT(result.verdict, ElementsAre("Cheapest under 1 %, and under 5 %: rod, 1 kHz: 0.20 % at 5.00 µs a tick.",
+                                            "Most accurate within 1 ms a tick: rod, 1 kHz: 0.20 % at 5.00 µs a tick.",
+                                            "Cheapest under 1 %, and under 5 %: rigid, 1 kHz: 0.10 % at 1.00 µs a tick.",
+                                            "Most accurate within 1 ms a tick: rigid, 1 kHz: 0.10 % at 1.00 µs a tick."));
 }
 
 }    // namespace
