@@ -6,15 +6,22 @@
 namespace stylet::study {
 namespace {
 
-/// The setting of those that `fit` with the least `cost`, the earlier of two alike.
-template <class Fit, class Cost>
-std::optional<std::size_t> least(const std::vector<Weighed>& settings, Fit&& fit, Cost&& cost) {
-    std::optional<std::size_t> best;
-    for (std::size_t i = 0; i < settings.size(); ++i) {
-        if (!settings[i].timing || !std::isfinite(settings[i].error) || !settings[i].same_rate() || !fit(settings[i])) continue;
-        if (!best || cost(settings[i]) < cost(settings[*best])) best = i;
+bool may_be_taken(const Weighed& setting) {
+    return setting.timing && std::isfinite(setting.error) && setting.same_rate();
+}
+
+/// The first setting of those that `fit` whose `cost` is no more than the least of them and what does not count of that.
+template <class Fit, class Cost, class Alike>
+std::optional<std::size_t> least(const std::vector<Weighed>& settings, Fit&& fit, Cost&& cost, Alike&& alike) {
+    double least = std::numeric_limits<double>::infinity();
+    const auto takes_part = [&](const Weighed& setting) { return may_be_taken(setting) && fit(setting); };
+    for (const Weighed& setting : settings) {
+        if (takes_part(setting)) least = std::min(least, cost(setting));
     }
-    return best;
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+        if (takes_part(settings[i]) && cost(settings[i]) <= alike(least)) return i;
+    }
+    return std::nullopt;
 }
 
 }    // namespace
@@ -32,12 +39,14 @@ void choose(Advice& advice) {
     const Wish& wish = advice.wish;
     const auto in_time = [&](const Weighed& setting) { return setting.in_time(wish); };
     const auto near_enough = [&](const Weighed& setting) { return setting.near_enough(wish); };
+    const auto both = [&](const Weighed& setting) { return in_time(setting) && near_enough(setting); };
     const auto error = [](const Weighed& setting) { return setting.error; };
     const auto time = [](const Weighed& setting) { return setting.timing->median; };
-    advice.nearest = least(advice.settings, in_time, error);
-    advice.cheapest = least(advice.settings, near_enough, time);
-    const bool both = advice.nearest && near_enough(advice.settings[*advice.nearest]);
-    advice.take = both ? advice.nearest : std::nullopt;
+    const auto as_near = [&](double least) { return least + wish.idle_error(); };
+    const auto as_cheap = [](double least) { return (1.0 + Wish::idle) * least; };
+    advice.take = least(advice.settings, both, error, as_near);
+    advice.nearest = least(advice.settings, in_time, error, as_near);
+    advice.cheapest = least(advice.settings, near_enough, time, as_cheap);
     advice.examined = advice.take.value_or(0);
 }
 

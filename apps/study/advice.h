@@ -15,6 +15,10 @@ namespace stylet::study {
 struct Wish {
     double budget;    // [s] for a tick
     double error;     // relative, at most
+
+    /// A gain that is less than this share, of the error asked for or of a tick, is not worth another setting.
+    static constexpr double idle = 0.1;
+    [[nodiscard]] double idle_error() const { return idle * error; }
 };
 
 /// A neighbour of the scene, measured.
@@ -57,7 +61,8 @@ struct Advice {
     Wish wish;
     std::string column, unit;    // of the curve, over time: hand_force, N
     ReferenceSetting reference;
-    std::vector<Weighed> settings;          // the scene itself first
+    std::vector<Weighed> settings;    // the scene itself first
+    // Of settings whose gain is idle the first: the scene itself, if it is among them.
     std::optional<std::size_t> take;        // the most accurate of those in time, where it is near enough
     std::optional<std::size_t> cheapest;    // of those near enough
     std::optional<std::size_t> nearest;     // of those in time

@@ -104,8 +104,9 @@ std::string verdict(const Advice& advice) {
     std::string text;
     if (advice.take) {
         text += pointing("Take", advice.settings[*advice.take]);
-        text += paragraph(fmt::format("No other setting {} is nearer{}.", in_time,
-                                      advice.cheapest == advice.take ? fmt::format(", none {} is cheaper", near_enough) : ""));
+        text += paragraph(fmt::format(
+            "None {} is nearer by more than {}{}.", in_time, error_text(advice.wish.idle_error()),
+            advice.cheapest == advice.take ? fmt::format(", none {} is cheaper by more than a tenth", near_enough) : ""));
     } else {
         text += paragraph(fmt::format("No setting is both {} and {}. Each step was taken alone: --set one and ask again.",
                                       in_time, near_enough));

@@ -22,10 +22,11 @@ constexpr const char* examples =
     R"(Runs a scene and its neighbours, and says which setting to take: the most accurate whose ticks keep within the budget, and the
 cheapest under the error. Neighbours are every combination of the models that the scene holds maps for, or that need no parameters,
 and each parameter of the scene that buys accuracy with time, one step coarser and one step finer. Another rate is shown, and never
-taken: it is the hand's. The error is that of the hand's force over time (of a tissue alone, how far its loaded patches move; of a
-needle that nobody holds, how far it bows) against a reference: left out, the costliest of the models with all such parameters one
-step finer. Beneath: what each effect of the setting costs a tick and what it changes, found by leaving it out. A run that would
-take over two minutes is given up, and told of. Times are only as good as the machine is quiet.
+taken: it is the hand's; nor is a setting that gains less than a tenth. The error is that of the hand's force over time (of a tissue
+alone, how far its loaded patches move; of a needle that nobody holds, how far it bows) against a reference: left out, the costliest
+of the models with all such parameters one step finer. Beneath: what each effect of the setting costs a tick and what it changes,
+found by leaving it out. A run that would take over two minutes is given up, and told of. Times are only as good as the machine is
+quiet.
 
 Examples:
   stylet advise scenes/paper/fig10a_l150.yaml

@@ -75,10 +75,11 @@ TEST(Advise, WeighsEveryCombinationOfModelsOfAWholeScene) {
     }
     EXPECT_EQ(advice["left_out"].size(), 1u) << advice["left_out"];
     EXPECT_EQ(advice["left_out"][0]["name"], "winkler");
+    constexpr double idle_error = 0.09;    // a tenth of the error asked for: nothing nearer by less is taken instead
     const json taken = named(advice["settings"], "name", advice["take"].get<std::string>());
     for (const json& setting : advice["settings"]) {
         if (setting["set"].contains("run.rate")) continue;
-        EXPECT_GE(setting["error"], taken["error"]) << setting["name"];
+        EXPECT_GE(setting["error"].get<double>(), taken["error"].get<double>() - idle_error) << setting["name"];
     }
     for (const auto& [key, value] : taken["set"].items())
         EXPECT_THAT(run.out, HasSubstr("--set " + key + "=" + value.get<std::string>()));

@@ -47,6 +47,20 @@ TEST(Advice, KeepsWithTheSceneWhereAnotherIsNoBetter) {
     EXPECT_EQ(advice_on({setting(0.01, 5, 6), setting(0.01, 5, 6)}).take, 0u);
 }
 
+TEST(Advice, TakesTheFirstOfThoseThatDifferByNothingThatCounts) {
+    // 0.4 % nearer where 5 % are asked for, and a tenth cheaper.
+    const Advice advice = advice_on({setting(0.022, 0.66, 20), setting(0.018, 0.60, 10)});
+    EXPECT_EQ(advice.take, 0u);
+    EXPECT_EQ(advice.cheapest, 0u);
+    const Advice other = advice_on({setting(0.022, 0.67, 20), setting(0.016, 0.60, 10)});
+    EXPECT_EQ(other.take, 1u);
+    EXPECT_EQ(other.cheapest, 1u);
+}
+
+TEST(Advice, TakesNothingThatIsNotNearEnoughHoweverAlike) {
+    EXPECT_EQ(advice_on({setting(0.053, 1, 2), setting(0.049, 1, 2)}).take, 1u);
+}
+
 TEST(Advice, PassesOverWhatHasNoErrorOrNoTime) {
     Weighed untimed = setting(0.0, 0, 0);
     untimed.timing.reset();
