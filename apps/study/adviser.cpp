@@ -16,8 +16,8 @@
 namespace stylet::study {
 namespace {
 
-constexpr double longest_setting = 120.0;      // [s] of a run
-constexpr double longest_reference = 600.0;    // [s]
+constexpr double longest_setting = 60.0;       // [s] of a run
+constexpr double longest_reference = 300.0;    // [s]
 constexpr double quick = 0.5;                  // [s] a run that takes less is timed by several
 constexpr int repetitions = 5;                 // of those
 

@@ -25,7 +25,7 @@ and each parameter of the scene that buys accuracy with time, one step coarser a
 taken: it is the hand's; nor is a setting that gains less than a tenth. The error is that of the hand's force over time (of a tissue
 alone, how far its loaded patches move; of a needle that nobody holds, how far it bows) against a reference: left out, the costliest
 of the models with all such parameters one step finer. Beneath: what each effect of the setting costs a tick and what it changes,
-found by leaving it out. A run that would take over two minutes is given up, and told of. Times are only as good as the machine is
+found by leaving it out. A run that would take over a minute is given up, and told of. Times are only as good as the machine is
 quiet.
 
 Examples:
