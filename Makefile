@@ -1,5 +1,5 @@
 # The front door. CMakePresets.json holds the builds themselves.
-.PHONY: run needles buckling tissue test bench bench-tissue build deps clean
+.PHONY: run needles buckling tissue studies test bench bench-tissue build deps clean
 .DEFAULT_GOAL := build
 
 stylet := build/release/bin/stylet
@@ -31,6 +31,11 @@ tissue: build
 	$(foreach m,$(meshes),$(stylet) run scenes/paper/fig10a_l150.yaml --set tissue.type=corotational_fem --set 'tissue.corotational_fem.cells=[$(m)]' \
 	  --set 'title=corotational_fem, $(m) cells' --out out/tissue/$(m) &&) true
 	$(stylet) plot out/tissue/half_space/fig10a_l150.csv $(foreach m,$(meshes),out/tissue/$(m)/fig10a_l150.csv) --x travel --out out/tissue/meshes
+
+# What accuracy costs in time: each study leaves its page and picture in docs/studies. A quarter of an hour on a quiet machine; stopped, it
+# goes on where it was. `make studies again=--again` measures everything anew.
+studies: build
+	$(foreach s,$(wildcard scenes/studies/*.yaml),$(stylet) study $(s) --out docs/studies $(again) &&) true
 
 test: build
 	ctest --preset release

@@ -181,7 +181,7 @@ std::string key_of(const Job& job, const core::PluginFolders& folders, const std
     for (const std::string& type : types_of(job.scene)) {
         if (const auto file = folders.find(type)) sha.add(library_hash(*file));
     }
-    sha.add(library_hash(std::filesystem::read_symlink("/proc/self/exe")));
+    sha.add(library_hash("/proc/self/exe"));
     return sha.hexadecimal();
 }
 

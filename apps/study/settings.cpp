@@ -31,8 +31,14 @@ Setting with(Setting setting, const Vary& vary, const std::string& value, const 
 
 std::string shown_value(const std::string& yaml) {
     std::string shown;
-    for (const char c : yaml) {
-        if (c != '"' && c != '[' && c != ']' && c != '\\') shown += c;
+    int depth = 0;    // of lists
+    for (std::size_t i = 0; i < yaml.size(); ++i) {
+        const char c = yaml[i];
+        depth += c == '[' ? 1 : c == ']' ? -1 : 0;
+        const bool between = c == ',' && depth > 0;
+        if (between) shown += "×";
+        if (between && i + 1 < yaml.size() && yaml[i + 1] == ' ') ++i;
+        if (!between && c != '"' && c != '[' && c != ']' && c != '\\') shown += c;
     }
     return shown;
 }

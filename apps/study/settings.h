@@ -19,7 +19,7 @@ struct Setting {
 /// Every combination of each series' varied values, the last key's values first.
 [[nodiscard]] std::vector<Setting> settings_of(const Study& study);
 
-/// A value as YAML has it, for people: "15, 15, 10" of ["15", "15", "10"].
+/// A value as YAML has it, for people: "15×15×10" of ["15", "15", "10"].
 [[nodiscard]] std::string shown_value(const std::string& yaml);
 
 }    // namespace stylet::study

@@ -144,6 +144,32 @@ void add_setting(const SettingResult& setting, Figure& figure) {
                            .beyond = beyond});
 }
 
+/// "6×6×5, to 0.01" and "6×6×5, to 0.001" → "6×6×5, to 0.01, 0.001"
+std::string joined_label(const std::string& label, const std::string& more) {
+    const auto differ = std::ranges::mismatch(label, more).in1;
+    const std::string shared(label.begin(), differ);
+    const std::size_t word = shared.rfind(' ') == std::string::npos ? 0 : shared.rfind(' ') + 1;
+    return label + ", " + more.substr(word);
+}
+
+/// Neighbours in a series that all but cover each other share a label.
+void join_labels(Curve& curve, const Figure& figure) {
+    constexpr double near = 0.012;    // of the picture
+    std::string first;                // the label that `sharer` had alone
+    Mark* sharer = nullptr;
+    for (Mark& mark : curve.marks) {
+        const bool covers = sharer != nullptr && std::abs(figure.x.share(mark.at.x) - figure.x.share(sharer->at.x)) < near &&
+                            std::abs(figure.y.share(mark.at.y) - figure.y.share(sharer->at.y)) < near;
+        if (covers) {
+            sharer->text += joined_label(first, mark.text).substr(first.size());
+            mark.text.clear();
+        } else {
+            sharer = &mark;
+            first = mark.text;
+        }
+    }
+}
+
 /// Stairs: with so much time, this error can be had. Empty where errors of different series are not to be compared.
 Curve front_of(const Result& result, const Figure& figure) {
     std::vector<Point> steps;
@@ -187,6 +213,7 @@ Figure figure_over_time(const Result& result) {
     figure.width = 960.0;
     figure.height = 640.0;
     for (const SettingResult& setting : result.settings) add_setting(setting, figure);
+    for (Curve& curve : figure.curves) join_labels(curve, figure);
     // A series of one setting is named beside its point.
     for (Curve& curve : figure.curves) {
         if (curve.marks.size() == 1 && curve.marks.front().text.starts_with(curve.name)) curve.name.clear();
