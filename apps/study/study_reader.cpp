@@ -331,6 +331,8 @@ Study read_study(const std::filesystem::path& file, const core::PluginFolders& f
     Reading reading{.files = core::SceneFiles(file), .folders = folders};
     const ValueTree root = core::document_tree(text, file, kind, reading.complaints);
     core::check_version(root, kind, reading);
+    if (!core::is_study(root) && root.find("run") != nullptr)
+        throw core::SceneErrors({fmt::format("{}: found a scene, wanted a study; stylet run plays it", file.string())});
     Study study = StudyReader(root, reading).read(file);
     reading.complaints.throw_if_any();
     return study;

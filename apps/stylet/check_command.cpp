@@ -1,3 +1,5 @@
+#include "apps/study/plan.h"
+#include "apps/study/study_reader.h"
 #include "apps/stylet/command.h"
 #include "apps/stylet/scene_arguments.h"
 #include "core/loading/cast.h"
@@ -10,19 +12,25 @@ namespace stylet::app {
 namespace {
 
 constexpr const char* examples =
-    R"(Shows all errors of each scene at once, as file:line:col: path: what was found, what was wanted.
+    R"(Shows all errors of each scene at once, as file:line:col: path: what was found, what was wanted. Of a study, with those of every
+scene that it makes.
 
 Examples:
   stylet check scenes/paper/fig9.yaml
   stylet check scenes/*/*.yaml
+  stylet check scenes/studies/time_step.yaml
   stylet check scenes/paper/fig9.yaml --set needle.type=rigid
 
 Exit codes: 0 all scenes are sound, 2 one is not, 3 wrong command line.)";
 
-/// Sound means that its models can be made too, so the cast is loaded and let go again.
+/// Sound means of a scene that its models can be made too, so the cast is loaded and let go again.
 bool sound(const std::string& file, const std::vector<core::Override>& overrides, const core::PluginFolders& folders) {
     try {
-        const core::Cast cast(core::read_scene(file, overrides, folders), folders);
+        if (overrides.empty() && core::holds_study(file)) {
+            (void)study::plan_of(study::read_study(file, folders), folders, "");
+        } else {
+            const core::Cast cast(core::read_scene(file, overrides, folders), folders);
+        }
     } catch (const core::SceneErrors& errors) {
         fmt::print(stderr, "{}\n", fmt::join(errors.messages(), "\n"));
         return false;

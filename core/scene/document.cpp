@@ -76,4 +76,8 @@ void check_version(const ValueTree& root, const std::string& kind, Reading& read
     }
 }
 
+bool is_study(const ValueTree& root) {
+    return root.find("series") != nullptr;
+}
+
 }    // namespace stylet::core

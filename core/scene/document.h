@@ -19,4 +19,7 @@ namespace stylet::core {
 /// where it names none.
 void check_version(const ValueTree& root, const std::string& kind, Reading& reading);
 
+/// A study is known by its series, which no scene has.
+[[nodiscard]] bool is_study(const ValueTree& root);
+
 }    // namespace stylet::core

@@ -69,12 +69,24 @@ void read_sections(const ValueTree& root, Reading& reading, Scene& scene) {
     refuse_unknown_keys(root, "", known, reading);
 }
 
+/// What the file says, where it says anything.
+std::optional<ValueTree> tree_in(const std::filesystem::path& file) {
+    try {
+        Complaints complaints;
+        return document_tree(document_text(file, kind), file, kind, complaints);
+    } catch (const SceneErrors&) {
+        return std::nullopt;
+    }
+}
+
 }    // namespace
 
 Scene read_scene(const std::filesystem::path& file, const std::vector<Override>& overrides, const PluginFolders& folders) {
     const std::string text = document_text(file, kind);
     Reading reading{.files = SceneFiles(file), .folders = folders};
     ValueTree root = document_tree(text, file, kind, reading.complaints);
+    if (is_study(root))
+        throw SceneErrors({fmt::format("{}: found a study, wanted a scene; stylet study runs it", file.string())});
     apply_overrides(overrides, root, reading.complaints);
     check_version(root, kind, reading);
     Scene scene{};
@@ -98,14 +110,14 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<Override>&
 }
 
 std::string scene_title(const std::filesystem::path& file) {
-    try {
-        Complaints complaints;
-        const ValueTree root = document_tree(document_text(file, kind), file, kind, complaints);
-        const ValueTree* title = root.find("title");
-        return title == nullptr ? "" : title->text;
-    } catch (const SceneErrors&) {
-        return "";
-    }
+    const std::optional<ValueTree> root = tree_in(file);
+    const ValueTree* title = root && !is_study(*root) ? root->find("title") : nullptr;
+    return title == nullptr ? "" : title->text;
+}
+
+bool holds_study(const std::filesystem::path& file) {
+    const std::optional<ValueTree> root = tree_in(file);
+    return root && is_study(*root);
 }
 
 }    // namespace stylet::core

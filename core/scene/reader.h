@@ -35,7 +35,10 @@ struct Override {
 [[nodiscard]] Scene read_scene(const std::filesystem::path& file, const std::vector<Override>& overrides,
                                const PluginFolders& folders);
 
-/// The title alone, for a list of scenes; empty where there is none.
+/// The title alone, for a list of scenes; empty where there is none, and of a study.
 [[nodiscard]] std::string scene_title(const std::filesystem::path& file);
+
+/// Whether the file holds a study; false where it cannot be read.
+[[nodiscard]] bool holds_study(const std::filesystem::path& file);
 
 }    // namespace stylet::core

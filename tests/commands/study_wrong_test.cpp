@@ -30,6 +30,15 @@ TEST(WrongStudy, IsEmpty) {
     EXPECT_EQ(told_of(""), "study.yaml:1:1: found an empty file, wanted a study that begins with 'stylet: 1'\n");
 }
 
+TEST(WrongStudy, IsAScene) {
+    const Bench bench;
+    EXPECT_EQ(bench.stylet({"study", paper("fig9")}).err,
+              paper("fig9") + ": found a scene, wanted a study; stylet run plays it\n");
+    const std::string study = (scene_folder / "studies/time_step.yaml").string();
+    EXPECT_EQ(bench.stylet({"run", study}).err, study + ": found a study, wanted a scene; stylet study runs it\n");
+    EXPECT_EQ(bench.stylet({"scenes"}).out.find("studies/time_step.yaml"), std::string::npos);
+}
+
 TEST(WrongStudy, HasEveryErrorToldAtOnce) {
     EXPECT_EQ(told_of(R"(stylet: 1
 titel: A study
