@@ -115,7 +115,11 @@ private:
             constexpr double us = 1e6;    // in a second
             return {.median = load * us, .p99 = load * us, .worst = load * us, .waited = loading_waited_};
         }
-        return {.median = report.tick_us.median, .p99 = report.tick_us.p99, .worst = report.tick_us.max, .waited = waited};
+        return {.median = report.tick_us.median,
+                .p99 = report.tick_us.p99,
+                .worst = report.tick_us.max,
+                .mean = report.tick_us.mean,
+                .waited = waited};
     }
 
     /// The model's answer, and how long it takes. Every question is a little another one: a model that remembers its last answer

@@ -10,6 +10,7 @@ namespace stylet::study {
 /// Of what was timed, over all its repetitions and cases.
 struct Timing {
     double median = 0.0, p99 = 0.0, worst = 0.0;    // [µs]
+    double mean = 0.0;                              // [µs] of a tick; of what else is timed, 0
     double waited = 0.0;       // share of the wall time in which the machine did not run us, of the repetitions that count
     bool contended = false;    // it was too much of it, however often the run was repeated
 };

@@ -16,7 +16,9 @@ double median_of(const std::vector<Timing>& timings, double Timing::*member) {
 }
 
 Timing joined(const std::vector<Timing>& timings) {
-    Timing all{.median = median_of(timings, &Timing::median), .p99 = median_of(timings, &Timing::p99)};
+    Timing all{.median = median_of(timings, &Timing::median),
+               .p99 = median_of(timings, &Timing::p99),
+               .mean = median_of(timings, &Timing::mean)};
     for (const Timing& timing : timings) {
         all.worst = std::max(all.worst, timing.worst);
         all.waited = std::max(all.waited, timing.waited);

@@ -15,6 +15,7 @@ public:
         ++counts_[bin_of(duration)];
         ++count_;
         worst_ = std::max(worst_, duration);
+        sum_ += duration;
     }
 
     /// The least duration [µs] that this share of all of them doesn't exceed; 0 where there are none.
@@ -30,6 +31,9 @@ public:
 
     [[nodiscard]] double worst() const { return worst_; }    // [µs], exactly
 
+    /// [µs] of all of them; 0 where there are none.
+    [[nodiscard]] double mean() const { return count_ > 0 ? sum_ / static_cast<double>(count_) : 0.0; }
+
 private:
     static constexpr double shortest = 0.01;        // [µs]
     static constexpr double growth = 0.00995033;    // ln 1.01
@@ -42,7 +46,7 @@ private:
 
     std::array<std::size_t, bins> counts_{};
     std::size_t count_ = 0;
-    double worst_ = 0.0;
+    double worst_ = 0.0, sum_ = 0.0;    // [µs]
 };
 
 }    // namespace stylet::core

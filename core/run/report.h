@@ -56,7 +56,7 @@ struct PatchReport {
 };
 
 struct TickReport {
-    double median = 0.0, p99 = 0.0, max = 0.0;    // [µs] wall time, after a warm-up
+    double median = 0.0, p99 = 0.0, max = 0.0, mean = 0.0;    // [µs] wall time, after a warm-up
 };
 
 struct RunReport {

@@ -56,7 +56,10 @@ RunReport Reporter::finish(const Simulation& simulation) {
         report_.hand = {.force_chain = simulation.force_chain(),
                         .least_port_energy = simulation.passivity().least(),
                         .least_port_energy_without_hold = simulation.passivity().least_without_hold()};
-    report_.tick_us = {.median = durations_.quantile(0.5), .p99 = durations_.quantile(0.99), .max = durations_.worst()};
+    report_.tick_us = {.median = durations_.quantile(0.5),
+                       .p99 = durations_.quantile(0.99),
+                       .max = durations_.worst(),
+                       .mean = durations_.mean()};
     report_.ticks = ticks_;
     report_.duration = last.time;
     return report_;

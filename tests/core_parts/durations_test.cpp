@@ -20,6 +20,13 @@ TEST(Durations, GiveTheirQuantilesToAPercent) {
 TEST(Durations, OfNothingAreNothing) {
     EXPECT_EQ(Durations().quantile(0.5), 0.0);
     EXPECT_EQ(Durations().worst(), 0.0);
+    EXPECT_EQ(Durations().mean(), 0.0);
+}
+
+TEST(Durations, GiveTheirMeanExactly) {
+    Durations durations;
+    for (const double duration : {1.0, 2.0, 6.0}) durations.add(duration);
+    EXPECT_EQ(durations.mean(), 3.0);
 }
 
 TEST(Durations, TakeTheShortestAndTheLongestToo) {
