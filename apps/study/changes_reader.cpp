@@ -1,5 +1,6 @@
 #include "apps/study/changes_reader.h"
 
+#include "apps/study/changes.h"
 #include "core/scene/wanted.h"
 
 #include <fmt/format.h>
@@ -185,7 +186,7 @@ std::vector<core::Override> read_changes(const ValueTree& map, const std::string
     std::vector<core::Override> changes;
     if (const ValueTree* keys = map.find(leave_out_key)) {
         const std::string list_path = core::join(path, leave_out_key);
-        const auto items = items_of(*keys, list_path, "a list of the scene's keys, such as [effects[1]]", reading);
+        const auto items = items_of(*keys, list_path, "a list of the scene's keys, such as [\"effects[1]\"]", reading);
         for (std::size_t i = 0; i < items.size(); ++i) {
             if (items[i].shape != Shape::scalar)
                 complain(items[i], core::join(list_path, i), fmt::format("found {}, wanted a key", items[i].description()),
@@ -196,10 +197,10 @@ std::vector<core::Override> read_changes(const ValueTree& map, const std::string
     }
     const ValueTree* set = map.find(set_key);
     if (set == nullptr || !core::is_map(*set, core::join(path, set_key), "keys of the scene and what they become", reading))
-        return changes;
+        return joined({}, changes);
     for (const ValueTree::Entry& entry : set->entries)
         changes.push_back({.key = entry.key, .value = yaml_text(entry.value), .given = given_at(entry.place, entry.key)});
-    return changes;
+    return joined({}, changes);
 }
 
 std::vector<Vary> read_varied(const ValueTree& map, const std::string& path, Reading& reading) {

@@ -9,6 +9,7 @@
 #include "core/run/run.h"
 #include "core/scene/scene_files.h"
 #include "core/scene/sha1.h"
+#include "core/workers/worker_pool.h"
 
 #include <fmt/format.h>
 
@@ -132,37 +133,43 @@ private:
         if (first) outcome_.y = {load};
         if (job_.timed == Timed::nothing) return {};
         Stopwatch watch;
-        const core::Durations durations = model.ask([&](const BucklingModel& asked) { return durations_of(asked, column); });
-        return {.median = durations.quantile(0.5),
-                .p99 = durations.quantile(0.99),
-                .worst = durations.worst(),
+        const Batches batches = model.ask([&](const BucklingModel& asked) { return batches_of(asked, column); });
+        const auto of_one = [&](double us) { return us / batches.answers; };
+        return {.median = of_one(batches.durations.quantile(0.5)),
+                .p99 = of_one(batches.durations.quantile(0.99)),
+                .worst = of_one(batches.durations.worst()),
                 .waited = watch.waited()};
     }
 
-    static core::Durations durations_of(const BucklingModel& model, Column column) {
-        constexpr int batches = 60, warm_up = 5;
+    /// Times of batches of answers, each long enough for the clock: of a batch's answers the mean is known.
+    struct Batches {
+        core::Durations durations;    // [µs] of each
+        int answers = 1;              // in each
+    };
+
+    static Batches batches_of(const BucklingModel& model, Column column) {
+        constexpr int batches = 300, warm_up = 5;
         constexpr double least = 20.0;    // [µs] of a batch: two hundred times what reading the clock takes
         constexpr double other = 1e-9;    // of the stiffness, from one question to the next
         using Clock = std::chrono::steady_clock;
-        core::Durations durations;
-        int batch = 1;
+        Batches taken;
         volatile double kept = 0.0;    // the answers are wanted
         for (int i = 0; i < warm_up + batches; ++i) {
             const auto start = Clock::now();
-            for (int k = 0; k < batch; ++k) {
+            for (int k = 0; k < taken.answers; ++k) {
                 column.bending_stiffness *= 1.0 + other;
                 kept = model.critical_load(column);
             }
             const double us = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
-            if (us < least && batch < 1 << 20 && i < warm_up) {
-                batch *= 2;
+            if (i >= warm_up) {
+                taken.durations.add(us);
+            } else if (us < least && taken.answers < 1 << 20) {
+                taken.answers *= 2;
                 i = 0;
-            } else if (i >= warm_up) {
-                durations.add(us / batch);
             }
         }
         (void)kept;
-        return durations;
+        return taken;
     }
 
     const Job& job_;
@@ -181,7 +188,7 @@ std::string key_of(const Job& job, const core::PluginFolders& folders, const std
     sha.add(job.scene.hash);
     sha.add(std::visit(MeasureText{}, job.measure));
     sha.add(fmt::format("{} {} {}", static_cast<int>(job.timed), job.repetitions, job.threads));
-    if (job.timed != Timed::nothing) sha.add(processor);
+    if (job.timed != Timed::nothing) sha.add(fmt::format("{} {}", processor, core::processors()));
     for (const std::string& type : types_of(job.scene)) {
         if (const auto file = folders.find(type)) sha.add(library_hash(*file));
     }

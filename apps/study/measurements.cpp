@@ -20,7 +20,7 @@ public:
         : plan_(plan),
           options_(options),
           stop_(options.stop == nullptr ? never : *options.stop),
-          log_(options.log),
+          log_(options.log, options.again),
           outcomes_(plan.jobs.size()) {
         for (std::size_t i = 0; i < plan.jobs.size(); ++i) {
             if (const Outcome* known = log_.find(plan.jobs[i].key)) {

@@ -1,9 +1,11 @@
 #include "apps/study/plan.h"
 
+#include "apps/study/changes.h"
 #include "apps/study/closed_forms.h"
 #include "apps/study/gathered_errors.h"
 #include "apps/study/inserted_column.h"
 #include "core/run/sample.h"
+#include "core/scene/complaints.h"
 
 #include <fmt/format.h>
 
@@ -13,21 +15,6 @@
 
 namespace stylet::study {
 namespace {
-
-bool lies_in(const std::string& key, const std::string& map) {
-    return key.starts_with(map) && (key.size() == map.size() || key[map.size()] == '.' || key[map.size()] == '[');
-}
-
-/// What comes to the same looks the same, and is measured once: of what was changed twice the last is kept, and all are in order,
-/// maps before what is within them.
-std::vector<core::Override> joined(std::vector<core::Override> changes, const std::vector<core::Override>& more) {
-    for (const core::Override& change : more) {
-        std::erase_if(changes, [&](const core::Override& earlier) { return lies_in(earlier.key, change.key); });
-        changes.push_back(change);
-    }
-    std::ranges::sort(changes, {}, &core::Override::key);
-    return changes;
-}
 
 /// The recorded columns that a measure takes.
 std::vector<std::string> columns_of(const Measure& measure) {
@@ -44,10 +31,16 @@ public:
 
     Plan plan() {
         plan_.settings = settings_of(study_);
+        check_size();
+        check_names();
         const auto* run = std::get_if<ReferenceRun>(&study_.reference);
+        std::vector<std::size_t> of_all;
+        if (run != nullptr && run->of == ReferenceRun::Of::scene)
+            of_all = jobs_of(study_.scene, joined(study_.changes, run->changes), run->name);
         for (const Setting& setting : plan_.settings) {
             plan_.mine.push_back(jobs_of(setting.scene, setting.changes, setting.name()));
-            if (run != nullptr) plan_.references.push_back(reference_of(*run, setting));
+            if (run != nullptr)
+                plan_.references.push_back(run->of == ReferenceRun::Of::scene ? of_all : reference_of(*run, setting));
             if (study_.split) {
                 const std::string name = fmt::format("{} ({} apart)", setting.name(), study_.split->name);
                 plan_.twins.push_back(jobs_of(setting.scene, joined(setting.changes, study_.split->changes), name));
@@ -58,10 +51,30 @@ public:
     }
 
 private:
+    /// A slip of the pen must not fill the machine.
+    void check_size() const {
+        constexpr std::size_t most = 100000;
+        const std::size_t size = plan_.settings.size() * study_.cases.size();
+        if (size <= most) return;
+        throw core::SceneErrors({fmt::format("{}: found {} settings in {} cases, wanted at most {} runs", study_.file.string(),
+                                             plan_.settings.size(), study_.cases.size(), most)});
+    }
+
+    /// Every setting is told by its name.
+    void check_names() {
+        for (std::size_t i = 1; i < plan_.settings.size(); ++i) {
+            const std::string name = plan_.settings[i].name();
+            const auto before = plan_.settings.begin() + static_cast<std::ptrdiff_t>(i);
+            const bool again =
+                std::any_of(plan_.settings.begin(), before, [&](const Setting& other) { return other.name() == name; });
+            if (again)
+                throw core::SceneErrors({fmt::format("{}: found two settings called {}, wanted labels that tell them apart",
+                                                     study_.file.string(), core::quote(name))});
+        }
+    }
+
     std::vector<std::size_t> reference_of(const ReferenceRun& run, const Setting& setting) {
-        using Of = ReferenceRun::Of;
-        if (run.of == Of::scene) return jobs_of(study_.scene, joined(study_.changes, run.changes), run.name);
-        const bool series = run.of == Of::series;
+        const bool series = run.of == ReferenceRun::Of::series;
         return jobs_of(setting.scene, joined(series ? setting.of_series : setting.changes, run.changes),
                        fmt::format("{}, {}", series ? setting.series : setting.name(), run.name));
     }

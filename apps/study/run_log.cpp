@@ -50,10 +50,10 @@ Outcome to_outcome(const Json& json) {
 
 }    // namespace
 
-RunLog::RunLog(const std::filesystem::path& file) : file_(file) {
+RunLog::RunLog(const std::filesystem::path& file, bool forget) : file_(file) {
     if (file.empty()) return;
     bool whole = true;    // the last line ends
-    {
+    if (!forget) {
         std::ifstream earlier(file);
         for (std::string line; std::getline(earlier, line);) {
             whole = !earlier.eof();
@@ -64,14 +64,15 @@ RunLog::RunLog(const std::filesystem::path& file) : file_(file) {
             }
         }
     }
-    stream_.open(file, std::ios::app);
+    stream_.open(file, forget ? std::ios::trunc : std::ios::app);
     if (!whole) stream_ << '\n';
     if (!stream_) refuse(file);
 }
 
 const Outcome* RunLog::find(const std::string& key) const {
     const auto found = known_.find(key);
-    return found == known_.end() ? nullptr : &found->second;
+    const bool timed_in_vain = found != known_.end() && found->second.timing && found->second.timing->contended;
+    return found == known_.end() || timed_in_vain ? nullptr : &found->second;
 }
 
 void RunLog::add(const std::string& key, const std::string& name, const Outcome& outcome) {

@@ -15,9 +15,10 @@ namespace stylet::study {
 /// kill, are as if they were not there.
 class RunLog {
 public:
-    /// Without a file nothing is kept. Throws std::system_error where it cannot be written.
-    explicit RunLog(const std::filesystem::path& file);
+    /// Without a file nothing is kept; what it has may be forgotten. Throws std::system_error where it cannot be written.
+    RunLog(const std::filesystem::path& file, bool forget);
 
+    /// nullptr where it has none, or one that was timed while the machine had other work: it may be quiet now.
     [[nodiscard]] const Outcome* find(const std::string& key) const;
 
     /// May be called from several threads. Throws std::system_error where the disk is full.

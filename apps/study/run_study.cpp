@@ -9,6 +9,8 @@
 #include "apps/study/verdict.h"
 #include "apps/study/wording.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace stylet::study {
@@ -88,9 +90,8 @@ private:
     const std::vector<std::optional<Outcome>>& outcomes_;
 };
 
-/// Each series' fitted order, where there are points enough.
-std::vector<FittedOrder> orders_of(const Study& study, const std::vector<Setting>& settings, const Result& result) {
-    std::vector<FittedOrder> orders;
+/// Each series' fitted order, or that there is none.
+void add_orders(const Study& study, const std::vector<Setting>& settings, Result& result) {
     for (const Series& series : study.series) {
         std::vector<double> numbers, errors;
         for (std::size_t s = 0; s < result.settings.size(); ++s) {
@@ -98,9 +99,13 @@ std::vector<FittedOrder> orders_of(const Study& study, const std::vector<Setting
             numbers.push_back(*settings[s].fitted);
             errors.push_back(result.settings[s].error.judged);
         }
-        if (const auto order = fitted_order(series.name, study.fit_order, numbers, errors)) orders.push_back(*order);
+        if (const auto order = fitted_order(series.name, study.fit_order, numbers, errors)) {
+            result.orders.push_back(*order);
+        } else if (!numbers.empty()) {
+            result.verdict.push_back(
+                fmt::format("{}: no order in {} can be fitted: fewer than three errors fall.", series.name, study.fit_order));
+        }
     }
-    return orders;
 }
 
 }    // namespace
@@ -134,8 +139,8 @@ Result run_study(const Study& study, const Options& options) {
     result.stopped = result.settings.size() < plan.settings.size();
     if (run != nullptr && !result.own_references && !result.settings.empty())
         result.reference_timing = comparing.timing(plan.references.front());
-    if (!study.fit_order.empty()) result.orders = orders_of(study, settings, result);
     add_verdict(result);
+    if (!study.fit_order.empty()) add_orders(study, settings, result);
     return result;
 }
 

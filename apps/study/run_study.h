@@ -18,6 +18,7 @@ struct Progress {
 struct Options {
     core::PluginFolders folders;
     std::filesystem::path log{};    // where outcomes are kept from one call to the next; empty: nowhere
+    bool again = false;             // what the log has is forgotten
     std::function<void(const Progress&)> progress{};
     const std::atomic<bool>* stop = nullptr;
 };

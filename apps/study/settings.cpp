@@ -1,29 +1,43 @@
 #include "apps/study/settings.h"
 
-#include <charconv>
+#include "apps/study/changes.h"
+#include "apps/study/interval.h"
+#include "core/scene/units.h"
+
+#include <stylet/error.h>
+
+#include <fmt/format.h>
 
 namespace stylet::study {
 namespace {
 
 std::string label_of(const Vary& vary, const std::string& value) {
     std::string label = vary.label;
-    const std::size_t place = label.find("{}");
-    if (place != std::string::npos) label.replace(place, 2, shown_value(value));
+    const std::string shown = shown_value(value);
+    for (std::size_t at = label.find("{}"); at != std::string::npos; at = label.find("{}", at + shown.size()))
+        label.replace(at, 2, shown);
     return label;
 }
 
-std::optional<double> number_in(const std::string& value) {
-    const std::string text = shown_value(value);
-    double number = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc{} ? std::optional(number) : std::nullopt;
+/// A value of the key that orders are fitted in, in the unit of the key's first value. Throws core::SceneErrors where it is no
+/// number, or of another dimension.
+double fitted_number(const Vary& vary, const std::string& value) {
+    try {
+        const std::string unit = read_interval(shown_value(vary.values.front())).unit;
+        const core::Quantity quantity = core::read_quantity(shown_value(value), unit.empty() ? "1" : unit);
+        if (!quantity.problem.empty()) throw Error("found " + quantity.problem);
+        return quantity.value;
+    } catch (const Error& error) {
+        throw core::SceneErrors(
+            {fmt::format("{}: {}, wanted numbers of one dimension where an order is fitted", vary.given, error.what())});
+    }
 }
 
 Setting with(Setting setting, const Vary& vary, const std::string& value, const std::string& fitted) {
     const std::string label = label_of(vary, value);
     setting.label += setting.label.empty() || label.empty() ? label : ", " + label;
-    setting.changes.push_back({.key = vary.key, .value = value, .given = vary.given});
-    if (vary.key == fitted) setting.fitted = number_in(value);
+    setting.changes = joined(setting.changes, {{.key = vary.key, .value = value, .given = vary.given}});
+    if (vary.key == fitted) setting.fitted = fitted_number(vary, value);
     return setting;
 }
 
@@ -46,8 +60,7 @@ std::string shown_value(const std::string& yaml) {
 std::vector<Setting> settings_of(const Study& study) {
     std::vector<Setting> settings;
     for (const Series& series : study.series) {
-        std::vector<core::Override> changes = study.changes;
-        changes.insert(changes.end(), series.changes.begin(), series.changes.end());
+        const std::vector<core::Override> changes = joined(joined({}, study.changes), series.changes);
         std::vector<Setting> combined{
             {.series = series.name, .label = "", .scene = series.scene, .of_series = changes, .changes = changes}};
         for (const Vary& vary : series.vary) {

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <random>
 #include <set>
 
@@ -137,6 +138,12 @@ private:
                       .changes = read_changes(map, path, reading_),
                       .vary = read_varied(map, path, reading_)};
         series.vary.insert(series.vary.end(), of_all.begin(), of_all.end());
+        std::set<std::string> keys_varied;
+        for (const Vary& vary : series.vary) {
+            if (!keys_varied.insert(vary.key).second)
+                complain(map, core::join(path, vary_key),
+                         fmt::format("found {} twice, wanted each key once", core::quote(vary.key)));
+        }
         if (series.scene.empty() && !map.find("scene") && !root_.find("scene"))
             core::miss_key(map, core::join(path, "scene"), "a scene, here or for all series", reading_);
         return series;
@@ -174,6 +181,9 @@ private:
             check_known(map, path, case_keys, {set_key, leave_out_key}, reading_);
             Case one{.name = text_or_none(keys, "name"), .changes = read_changes(map, path, reading_)};
             if (keys.has("scene")) one.scene = file_or_none(keys, "scene");
+            if (std::ranges::find(study_.cases, one.name, &Case::name) != study_.cases.end())
+                complain(map, core::join(path, "name"),
+                         fmt::format("found {} a second time, wanted each once", core::quote(one.name)));
             study_.cases.push_back(std::move(one));
         }
     }
@@ -204,11 +214,14 @@ private:
                 core::miss_key(map, core::join("measure", key), fmt::format("one beside '{}'", which), reading_);
             return keys.has(key);
         };
+        refuse_keys_of_others(map, which);
         if (which == "curve" && want("over")) {
             check_columns(map, {"curve", "over"}, {});
             CurveMeasure curve{.column = text_or_none(keys, "curve"), .over = keys.text("over")};
             read_end(map, "from", curve.over, curve.from);
             read_end(map, "to", curve.over, curve.to);
+            if (!(curve.from < curve.to))
+                complain(map, "measure", "found a 'from' that is not below 'to', wanted a stretch between them");
             study_.measure = curve;
         } else if (which == "value") {
             check_columns(map, {"value"}, {"peak_hand_force", "largest_deflection"});
@@ -218,6 +231,20 @@ private:
             study_.measure = EventMeasure{text_or_none(keys, "event"), keys.text("column")};
         } else if (which == "answer" && want("depth")) {
             study_.measure = AnswerMeasure{keys.number("depth")};
+        }
+    }
+
+    /// Complains of keys that go with another kind of measure.
+    void refuse_keys_of_others(const ValueTree& map, const std::string& which) {
+        const std::map<std::string, std::vector<std::string>> beside{
+            {"curve", {"over", "from", "to"}}, {"value", {}}, {"event", {"column"}}, {"answer", {"depth"}}};
+        for (const auto& [measure, keys] : beside) {
+            for (const std::string& key : keys) {
+                const ValueTree* node = map.find(key);
+                if (node != nullptr && !which.empty() && measure != which)
+                    complain(*node, core::join("measure", key),
+                             fmt::format("found it beside '{}', wanted it with '{}' alone", which, measure));
+            }
         }
     }
 
@@ -301,6 +328,8 @@ private:
             complain(*root_.find("time"), "time",
                      answer ? "found a measure that is an answer, wanted 'answer' or 'nothing': no scene is run"
                             : "found no answer among what is measured, wanted 'measure: {answer: …}' with it");
+        if (study_.timed == Timed::nothing && root_.find("repetitions") != nullptr)
+            complain(*root_.find("repetitions"), "repetitions", "found nothing that is timed, wanted no repetitions of it");
         if (std::holds_alternative<CurveFile>(study_.reference) && !curve)
             complain(*root_.find("reference"), "reference.curve",
                      "found a measure that is no curve, wanted 'measure: {curve: …}'");

@@ -15,7 +15,7 @@ double median_of(const std::vector<Timing>& timings, double Timing::*member) {
     return quantile(values, 0.5);
 }
 
-Timing joined(const std::vector<Timing>& timings) {
+Timing together(const std::vector<Timing>& timings) {
     Timing all{.median = median_of(timings, &Timing::median),
                .p99 = median_of(timings, &Timing::p99),
                .mean = median_of(timings, &Timing::mean)};
@@ -31,13 +31,14 @@ Timing joined(const std::vector<Timing>& timings) {
 Timing of_repetitions(std::vector<Timing> timings, int count) {
     std::ranges::sort(timings, {}, &Timing::waited);
     timings.resize(std::min(timings.size(), static_cast<std::size_t>(count)));
-    Timing all = joined(timings);
+    Timing all = together(timings);
     all.contended = all.waited > most_waited;
     return all;
 }
 
 Timing of_cases(const std::vector<Timing>& timings) {
-    Timing all = joined(timings);
+    Timing all = together(timings);
+    all.waited = median_of(timings, &Timing::waited);
     all.contended = 2 * std::ranges::count_if(timings, &Timing::contended) > std::ssize(timings);
     return all;
 }

@@ -7,14 +7,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <system_error>
 
 namespace stylet::study {
 namespace {
 
-/// As seen from the study; from wherever it lies, never with this machine's folders.
+/// As seen from the study: a page says nothing of where on a machine they lie.
 std::string seen_from(const Study& study, const std::filesystem::path& file) {
     if (study.file.empty()) return file.filename().string();
-    return file.lexically_proximate(study.file.parent_path()).string();
+    std::error_code failed;    // then it is told as it was given
+    const std::filesystem::path folder = std::filesystem::weakly_canonical(study.file, failed).parent_path();
+    return std::filesystem::weakly_canonical(file, failed).lexically_proximate(folder).string();
 }
 
 std::string shown(double value, const std::string& unit) {

@@ -5,6 +5,7 @@
 #include "apps/stylet/interrupt.h"
 #include "apps/stylet/output.h"
 #include "apps/stylet/scene_arguments.h"
+#include "apps/stylet/shell_word.h"
 #include "apps/stylet/study_csv.h"
 #include "apps/stylet/study_figure.h"
 #include "apps/stylet/study_page.h"
@@ -55,6 +56,7 @@ study::Result run(const study::Study& study, const StudyArguments& arguments, co
     StudyProgress bar(study.title);
     const study::Options options{.folders = plugin_folders(arguments.plugin_dirs),
                                  .log = log,
+                                 .again = arguments.again,
                                  .progress =
                                      [&](const study::Progress& progress) {
                                          if (!arguments.quiet) bar.show(progress);
@@ -63,17 +65,23 @@ study::Result run(const study::Study& study, const StudyArguments& arguments, co
     return study::run_study(study, options);
 }
 
+/// What makes the page again.
+std::string command_of(const StudyArguments& arguments) {
+    std::string command = fmt::format("stylet study {} --out {}", shell_word(arguments.file), shell_word(arguments.out));
+    for (const std::string& folder : arguments.plugin_dirs) command += " --plugin-dir " + shell_word(folder);
+    return command;
+}
+
 ExitCode conduct(const StudyArguments& arguments) {
     const study::Study study = study::read_study(arguments.file, plugin_folders(arguments.plugin_dirs));
     make_folder(arguments.out);
     const StudyFiles files{fs::path(arguments.out) / fs::path(arguments.file).stem()};
     for (const char* ending : {".csv", ".md", ".png", ".svg", ".runs.jsonl"}) expect_writable_later(files.with(ending));
     const fs::path log = files.with(".runs.jsonl");
-    if (arguments.again) fs::remove(log);
 
     const Interrupt interrupt;
     study::Result result = run(study, arguments, log);
-    result.command = fmt::format("stylet study {} --out {}", arguments.file, arguments.out);
+    result.command = command_of(arguments);
     if (!arguments.quiet) fmt::print("{}", study_text(result));
     if (result.stopped) {
         fmt::print(stderr, "{}: stopped by Ctrl-C; the same command goes on where it was\n", arguments.file);

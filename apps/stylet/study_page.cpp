@@ -50,12 +50,15 @@ std::string orders(const Result& result) {
 
 /// What a time in the table is.
 std::string timing_words(const Result& result) {
-    const bool loads = result.timed == study::Timed::load;
+    const char* const warm_up = result.timed == study::Timed::load ? ""
+                                : result.timed == study::Timed::answer
+                                    ? ", after a warm-up; of a batch of answers that takes 20 µs the mean is one"
+                                    : ", without the first 100 of a run of more than 200";
     return fmt::format(
         "Timed: {}{}. Of each repetition the median, p99 and worst are taken; the table has the medians of the first two, and "
         "the worst of all. A repetition that the machine kept waiting for more than {:g} % of its time is made again; what stays "
         "so is marked {}.",
-        timed_text(result), loads ? "" : ", each after a warm-up", 100.0 * study::most_waited, contended_mark);
+        timed_text(result), warm_up, 100.0 * study::most_waited, contended_mark);
 }
 
 std::string how(const Result& result) {

@@ -13,9 +13,19 @@ std::string rough_time(double seconds) {
     return fmt::format("{:.1f} h", seconds / hour);
 }
 
+namespace {
+
+/// As much of it as a line of a terminal has room for beside the rest.
+std::string short_name(const std::string& name) {
+    constexpr std::size_t longest = 24;
+    return name.size() <= longest ? name : name.substr(0, longest) + "…";
+}
+
+}    // namespace
+
 void StudyProgress::show(const study::Progress& progress) {
     const std::string left = progress.seconds_left ? fmt::format(", {} left", rough_time(*progress.seconds_left)) : "";
-    bar_.show(progress.share, fmt::format("{} of {}{}: {}", progress.done, progress.all, left, progress.name));
+    bar_.show(progress.share, fmt::format("{} of {}{}: {}", progress.done, progress.all, left, short_name(progress.name)));
 }
 
 }    // namespace stylet::app

@@ -144,6 +144,33 @@ TEST(Study, GoesOnWhereItWasCutOff) {
     EXPECT_EQ(lines_of(bench.read("out/study.runs.jsonl")).size(), 4u) << "all is measured anew";
 }
 
+TEST(Study, KeepsItsLogWhereTheStudyIsWrong) {
+    const StudyBench bench;
+    ASSERT_EQ(study(bench, loads).code, 0);
+    std::string wrong = loads;
+    wrong.replace(wrong.find("elements: 128"), 13, "elements: 999");
+    EXPECT_EQ(study(bench, wrong, {"--again"}).code, 2);
+    EXPECT_EQ(lines_of(bench.read("out/study.runs.jsonl")).size(), 4u);
+}
+
+TEST(Study, LetsASeriesHaveTheLastWord) {
+    const StudyBench bench;
+    const Outcome outcome = study(bench, R"(stylet: 1
+title: Precedence
+scene: column.yaml
+set: {needle.buckling.winkler.elements: 4}
+series:
+  - {name: a key, set: {needle.buckling.winkler.elements: 128}}
+  - {name: a map, set: {needle.buckling.winkler: {foundation_modulus: disc_between_walls, elements: 128}}}
+  - {name: varied, vary: [{key: needle.buckling.winkler.elements, values: [128]}]}
+measure: {answer: critical_load, depth: 50 mm}
+reference: {run: {of: scene, name: converged, set: {needle.buckling.winkler.elements: 128}}}
+time: nothing
+)");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    for (const std::string& error : column(rows_of(bench.read("out/study.csv")), "error [1]")) EXPECT_EQ(std::stod(error), 0.0);
+}
+
 TEST(Study, IsStoppedByCtrlCAndKeepsWhatItHas) {
     namespace process = boost::process;
     const StudyBench bench;

@@ -65,6 +65,7 @@ study.yaml:10:16: cases.judge: found 'best', wanted one of rms, median, p95, wor
 study.yaml:10:28: cases.list: found an empty list, wanted a list of maps
 study.yaml:11:18: measure.curve: found 'hand_forse', wanted one of time, travel, depth, inserted, hand_force, device_force, tip_force, friction_force, critical_load, deflection, free_length, contacts, patch_displacement, energy_force, energy_force_printed, port_energy, hand_work, load_work, stored, kinetic, fracture, friction, burst, released, damping, numerical, residual; did you mean 'hand_force'?
 study.yaml:11:51: measure.depth: found '1' without a unit, wanted a length in m such as '25 mm' (how much of the needle is inserted; wanted with `answer`)
+study.yaml:11:51: measure.depth: found it beside 'curve', wanted it with 'answer' alone
 study.yaml:12:26: reference.closed_form: found the closed form 'elastika', wanted one of: elastica, euler, flat_punch, love; did you mean 'elastica'?
 study.yaml:13:7: time: found 'ticks', wanted one of nothing, tick, step, load, answer (what is timed: a tick of the run; a step, the tick of a scene with a single body; a load, from the scene to its first tick; an answer of the buckling model); did you mean 'tick'?
 )");
@@ -85,8 +86,8 @@ measure: {answer: critical_load, depth: 80 mm}
 reference: {run: {of: scene, name: itself}}
 time: answer
 )"),
-              R"(study.yaml:6:12: needle.bukling.type: found no key 'needle.bukling' in the scene; did you mean 'buckling'?
-study.yaml: itself: found a depth of 0.08 m, wanted at most 0.05 m: so much of the needle can be inside
+              R"(study.yaml: itself: found a depth of 0.08 m, wanted at most 0.05 m: so much of the needle can be inside
+study.yaml:6:12: needle.bukling.type: found no key 'needle.bukling' in the scene; did you mean 'buckling'?
 study.yaml:8:11: needle.buckling.winkler.elements: found '3', wanted at least 4 and at most 128 (of the column; left out: 64)
 study.yaml:10:17: effects[1]: found no key 'effects' in the scene
 )");
