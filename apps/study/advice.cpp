@@ -28,11 +28,22 @@ std::optional<std::size_t> least(const std::vector<Weighed>& settings, Fit&& fit
 
 bool Weighed::in_time(const Wish& wish) const {
     constexpr double us = 1e6;    // in a second
-    return timing && timing->p99 <= wish.budget * us;
+    return timing && (timing->contended ? timing->median : timing->p99) <= wish.budget * us;
 }
 
 bool Weighed::same_rate() const {
     return std::ranges::none_of(neighbour.changes, [](const core::Override& change) { return change.key == "run.rate"; });
+}
+
+std::size_t costliest(const std::vector<Weighed>& settings) {
+    constexpr double clearly = 2.0;    // as long
+    const auto time = [](const Weighed& setting) {
+        return setting.why.empty() && setting.timing ? setting.timing->median : -1.0;
+    };
+    double most = 0.0;
+    for (const Weighed& setting : settings) most = std::max(most, time(setting));
+    const auto first = std::ranges::find_if(settings, [&](const Weighed& setting) { return clearly * time(setting) > most; });
+    return first == settings.end() ? 0 : static_cast<std::size_t>(first - settings.begin());
 }
 
 void choose(Advice& advice) {

@@ -30,7 +30,7 @@ struct Weighed {
     std::optional<Timing> timing{};                            // of a tick
     std::vector<std::string> remarks{};
 
-    /// 99 of 100 ticks are.
+    /// 99 of 100 ticks are; of a machine that was busy, half of them: its slow ticks are not the models'.
     [[nodiscard]] bool in_time(const Wish& wish) const;
     [[nodiscard]] bool near_enough(const Wish& wish) const { return error <= wish.error; }
 
@@ -41,6 +41,7 @@ struct Weighed {
 /// What the settings are compared with.
 struct ReferenceSetting {
     std::string name;                       // "half_space, rod"
+    std::string why;                        // this one
     std::vector<core::Override> changes;    // that make it, on top of the scene
     std::optional<Timing> timing{};
     double largest = 0.0;    // of the curve, in its unit
@@ -49,17 +50,21 @@ struct ReferenceSetting {
 /// What a setting does without one of its effects.
 struct Omission {
     Neighbour neighbour;
-    std::string why{};       // it cannot be left out; empty where it can
-    double saved = 0.0;      // [µs] of the median tick; negative where it takes longer without
-    double change = 0.0;     // RMS of the curve's difference, as a share of its largest value
-    double largest = 0.0;    // of the curve without it
+    std::string why{};         // it cannot be left out; empty where it can
+    double cost = 0.0;         // [µs] of the mean tick; negative where it takes longer without
+    double noise = 0.0;        // [µs] below it a cost says nothing
+    bool other_run = false;    // with and without it not the same happens: there is no telling what it costs
+    double change = 0.0;       // RMS of the curve's difference, as a share of its largest value
+    double largest = 0.0;      // of the curve without it
 };
 
 struct Advice {
     std::string title;
     std::filesystem::path scene;
+    std::vector<core::Override> changes;    // by the user, on every run
     Wish wish;
-    std::string column, unit;    // of the curve, over time: hand_force, N
+    std::vector<std::string> mind{};    // before all that follows
+    std::string column, unit;           // of the curve, over time: hand_force, N
     ReferenceSetting reference;
     std::vector<Weighed> settings;    // the scene itself first
     // Of settings whose gain is idle the first: the scene itself, if it is among them.
@@ -73,6 +78,10 @@ struct Advice {
     Machine machine;
     int threads = 1;
 };
+
+/// The models to compare with: the first whose median tick is not clearly below the costliest one's. Clocks are noisy, and the
+/// first are the scene's own. Only of those that ran to their end; the first of all where none did.
+[[nodiscard]] std::size_t costliest(const std::vector<Weighed>& settings);
 
 /// Says which to take, once all settings are measured.
 void choose(Advice& advice);

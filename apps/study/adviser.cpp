@@ -16,10 +16,8 @@
 namespace stylet::study {
 namespace {
 
-constexpr double longest_setting = 60.0;       // [s] of a run
-constexpr double longest_reference = 300.0;    // [s]
-constexpr double quick = 0.5;                  // [s] a run that takes less is timed by several
-constexpr int repetitions = 5;                 // of those
+constexpr double quick = 0.5;     // [s] a run that takes less is timed by several
+constexpr int repetitions = 5;    // of those
 
 /// Ends a run that would take too long.
 struct GivenUp {
@@ -33,7 +31,7 @@ public:
 
     /// That so much of the run is done. Throws GivenUp.
     void hear(double share) {
-        constexpr double least = 10.0;    // [s] before which nothing is clear
+        constexpr double least = 1.0;    // [s] before which nothing is clear
         if (share <= 0.0) watch_.start();
         const double passed = watch_.wall();
         if (passed > least && passed > share * limit_) throw GivenUp{passed / share};
@@ -84,6 +82,24 @@ std::vector<core::Override> joined(std::vector<core::Override> first, const std:
     return first;
 }
 
+/// What a run without an effect tells of it.
+Omission omission_of(const Neighbour& omitted, const Outcome& with, const Outcome& without) {
+    const ErrorOfOutcome change = error_of(without, with);
+    constexpr double clock_noise = 0.03;      // of a tick, on a quiet machine
+    constexpr double clock_reading = 0.05;    // [µs] or twice what it takes
+    double noise = std::max(clock_noise, clock_reading / with.timing->mean);
+    for (const Outcome* outcome : {&with, &without}) {
+        if (outcome->timing->contended) noise = std::max(noise, outcome->timing->waited);
+    }
+    return {.neighbour = omitted,
+            .why = change.why,
+            .cost = with.timing->mean - without.timing->mean,
+            .noise = noise * with.timing->mean,
+            .other_run = with.punctured != without.punctured,
+            .change = change.error,
+            .largest = largest_of(without)};
+}
+
 class Adviser {
 public:
     Adviser(const Request& request, const std::atomic<bool>& stop, const std::function<void(const Progress&)>& progress)
@@ -112,7 +128,9 @@ private:
     void begin() {
         advice_.title = scene_.title;
         advice_.scene = request_.scene;
-        advice_.wish = request_.wish;
+        advice_.changes = request_.changes;
+        advice_.wish = {.budget = request_.budget.value_or(scene_.run.dt()), .error = request_.error};
+        if (const auto mesh = load_by_mesh(scene_, request_.folders)) advice_.mind.push_back(*mesh);
         advice_.threads = request_.threads;
         advice_.machine = this_machine();
         advice_.column = measured_column(scene_);
@@ -150,9 +168,10 @@ private:
     void tell(const std::string& name, double share, double spent, Pace::Kind kind) {
         if (!progress_) return;
         const double left = pace_.left(kind, share, spent), passed = watch_.wall();
+        if (pace_.known()) shown_ = std::max(shown_, passed / (passed + left));    // a bar that falls back tells nothing
         progress_({.done = pace_.count_done(),
                    .all = pace_.count(),
-                   .share = passed / (passed + left),
+                   .share = shown_,
                    .seconds_left = pace_.known() ? std::optional(left) : std::nullopt,
                    .name = name});
     }
@@ -164,12 +183,13 @@ private:
     void weigh(const Neighbour& neighbour, bool other_models) {
         Weighed weighed{.neighbour = neighbour, .other_models = other_models};
         Outcome outcome;
+        const bool the_scene_itself = outcomes_.empty();
         try {
-            outcome = measured(neighbour.name, neighbour.changes, longest_setting, other_models ? Pace::models : Pace::steps);
+            outcome = measured(neighbour.name, neighbour.changes, the_scene_itself ? longest_reference : longest_setting,
+                               other_models ? Pace::models : Pace::steps);
         } catch (const GivenUp& given_up) {
             outcome.missing = words_of(given_up);
         }
-        const bool the_scene_itself = outcomes_.empty();
         if (!outcome.timing && !the_scene_itself) {    // refused, or given up
             advice_.left_out.push_back({neighbour.name, outcome.missing});
             return;
@@ -184,7 +204,8 @@ private:
     void find_reference() {
         if (request_.reference) {
             const std::string name = with_changes("the scene", *request_.reference);
-            take_reference(name, *request_.reference, measured("the reference", *request_.reference, INFINITY, Pace::references));
+            take_reference(name, "as was asked", *request_.reference,
+                           measured("the reference", *request_.reference, INFINITY, Pace::references));
         } else {
             look_for_reference();
         }
@@ -195,37 +216,24 @@ private:
                                 advice_.reference.name));
     }
 
-    /// The costliest combination that ran to its end.
-    [[nodiscard]] std::size_t costliest() const {
-        std::size_t costliest = 0;
-        double most = -1.0;
-        for (std::size_t i = 0; i < advice_.settings.size(); ++i) {
-            const auto& timing = advice_.settings[i].timing;
-            if (!outcomes_[i].missing.empty() || !timing || timing->median <= most) continue;
-            most = timing->median;
-            costliest = i;
-        }
-        return costliest;
-    }
-
     void look_for_reference() {
-        const Neighbour& models = advice_.settings[costliest()].neighbour;
-        const core::Scene scene = base_.read(models.changes);
-        for (const bool with_words : {true, false}) {
-            const auto finest = finest_step(scene, request_.folders, with_words);
-            if (finest.empty() || try_reference(models, finest)) break;
-        }
-        if (advice_.reference.name.empty()) take_reference(models.name, models.changes, outcomes_[costliest()]);
+        const std::size_t index = costliest(advice_.settings);
+        const Neighbour& models = advice_.settings[index].neighbour;
+        const std::string why = index == 0 ? "the scene's own models, none clearly costlier, taken for the truth"
+                                           : "the costliest of the models, taken for the truth";
+        const auto finest = finest_step(base_.read(models.changes), request_.folders);
+        if (!finest.empty() && try_reference(models, why, finest)) return;
+        take_reference(models.name, why, models.changes, outcomes_[index]);
     }
 
-    /// False where it is refused, ends in a fault, loses ticks or takes too long.
-    bool try_reference(const Neighbour& models, const std::vector<core::Override>& finest) {
+    /// False where it is refused, ends in a fault or takes too long.
+    bool try_reference(const Neighbour& models, const std::string& why, const std::vector<core::Override>& finest) {
         const std::string name = with_changes(models.name, finest);
         const std::vector<core::Override> changes = joined(models.changes, finest);
         try {
             Outcome outcome = measured("the reference", changes, longest_reference, Pace::references);
             if (!outcome.missing.empty()) return false;
-            take_reference(name, changes, std::move(outcome));
+            take_reference(name, why, changes, std::move(outcome));
             return true;
         } catch (const GivenUp& given_up) {
             advice_.left_out.push_back({"reference: " + name, words_of(given_up)});
@@ -235,8 +243,10 @@ private:
         return false;
     }
 
-    void take_reference(const std::string& name, const std::vector<core::Override>& changes, Outcome outcome) {
-        advice_.reference = {.name = name, .changes = changes, .timing = outcome.timing, .largest = largest_of(outcome)};
+    void take_reference(const std::string& name, const std::string& why, const std::vector<core::Override>& changes,
+                        Outcome outcome) {
+        advice_.reference = {
+            .name = name, .why = why, .changes = changes, .timing = outcome.timing, .largest = largest_of(outcome)};
         reference_ = std::move(outcome);
     }
 
@@ -255,21 +265,15 @@ private:
         advice_.largest = largest_of(with);
         if (!with.missing.empty() || !with.timing) return;
         for (const Neighbour& omitted : omissions(base_.read(chosen), request_.folders)) {
-            Omission omission{.neighbour = omitted};
             try {
                 const Outcome without =
                     measured("without " + omitted.name, joined(chosen, omitted.changes), longest_setting, Pace::omissions);
-                const ErrorOfOutcome change = error_of(without, with);
-                omission.why = change.why;
-                omission.change = change.error;
-                omission.largest = largest_of(without);
-                if (without.timing) omission.saved = with.timing->median - without.timing->median;
+                if (without.timing) advice_.omissions.push_back(omission_of(omitted, with, without));    // else it was refused
             } catch (const GivenUp& given_up) {
-                omission.why = words_of(given_up);
-            } catch (const core::SceneErrors& errors) {
-                omission.why = errors.messages().front();
+                advice_.omissions.push_back({.neighbour = omitted, .why = words_of(given_up)});
+            } catch (const core::SceneErrors&) {
+                continue;    // no effect, but what the scene cannot do without
             }
-            advice_.omissions.push_back(std::move(omission));
         }
     }
 
@@ -280,6 +284,7 @@ private:
     const std::function<void(const Progress&)>& progress_;
     Stopwatch watch_;
     Pace pace_;
+    double shown_ = 0.0;    // of all that is to be done
     Advice advice_;
     std::vector<Outcome> outcomes_;    // of the settings
     Outcome reference_;

@@ -9,10 +9,14 @@
 
 namespace stylet::study {
 
+constexpr double longest_setting = 15.0;      // [s] that a run may take
+constexpr double longest_reference = 45.0;    // [s] the same of the scene itself, and of the reference that was looked for
+
 struct Request {
     std::filesystem::path scene;
-    std::vector<core::Override> changes;    // of the scene, before all
-    Wish wish;
+    std::vector<core::Override> changes;                     // of the scene, before all
+    std::optional<double> budget;                            // [s] for a tick; left out, the scene's own period
+    double error;                                            // relative, at most
     std::optional<std::vector<core::Override>> reference;    // on top of those; left out: it is looked for
     int threads;
     core::PluginFolders folders;
@@ -20,10 +24,9 @@ struct Request {
 
 /// Runs every neighbour once or, where that is quick, several times, one after the other. Compared is hand_force over time, of a
 /// tissue alone patch_displacement, of a needle that nobody holds deflection. The reference, where none is asked for, is the
-/// costliest combination of models with all its parameters one step finer, or with its numbers alone, or as it is: the first of
-/// these that is done within five minutes. What would take longer than one is given up and told of.
-/// Nothing where it was stopped. Throws core::SceneErrors where the scene or the reference is wrong, Error where there is nothing
-/// to compare.
+/// costliest combination of models with all its numbers one step finer, but for the rate; where that is not done in the time
+/// there is for it, the combination as it is. What would take too long is given up and told of. Nothing where it was stopped.
+/// Throws core::SceneErrors where the scene or the reference is wrong, Error where there is nothing to compare.
 [[nodiscard]] std::optional<Advice> advise(const Request& request, const std::atomic<bool>& stop,
                                            const std::function<void(const Progress&)>& progress);
 

@@ -69,10 +69,22 @@ std::vector<std::string> models_for(const Slot& slot, const Scene& scene, const 
     return models;
 }
 
+// Nobody typed the changes that make neighbours: errors say so, and reasons leave it out.
+constexpr const char* ours = "neighbour";
+
+Override changed(const std::string& key, const std::string& value) {
+    return {.key = key, .value = value, .given = ours};
+}
+
+std::string reason(const core::SceneErrors& errors) {
+    const std::string message = errors.messages().front(), before = std::string(ours) + ": ";
+    return message.starts_with(before) ? message.substr(before.size()) : message;
+}
+
 std::vector<Override> naming(const Slot& slot, const std::string& model, const Scene& scene) {
     const optional<Choice>& own = scene.*slot.choice;
     if (!own || model.empty() || own->type == model) return {};
-    return {{.key = fmt::format("{}.type", slot.section), .value = model}};
+    return {changed(fmt::format("{}.type", slot.section), model)};
 }
 
 /// A buckling model that only notes whether it is asked.
@@ -109,7 +121,7 @@ private:
                 const core::Cast cast(scene, base_.folders);
                 models.push_back(model);
             } catch (const core::SceneErrors& errors) {
-                found_.left_out.push_back({model, errors.messages().front()});
+                found_.left_out.push_back({model, reason(errors)});
             }
         }
         if (models.empty()) models.emplace_back();    // the scene has no such part
@@ -152,7 +164,7 @@ private:
             (void)base_.read(neighbour.changes);
             to.push_back(std::move(neighbour));
         } catch (const core::SceneErrors& errors) {
-            found_.left_out.push_back({neighbour.name, errors.messages().front()});
+            found_.left_out.push_back({neighbour.name, reason(errors)});
         }
     }
 
@@ -198,7 +210,7 @@ void Search::add_steps() {
     visit_steps(scene_, base_.folders, [this](const Standing& standing) {
         for (const Step step : {Step::coarser, Step::finer}) {
             const auto value = one_step(standing.parameter, standing.given, step);
-            if (value) add({fmt::format("{}={}", standing.key, *value), {{.key = standing.key, .value = *value}}}, found_.steps);
+            if (value) add({fmt::format("{}={}", standing.key, *value), {changed(standing.key, *value)}}, found_.steps);
         }
     });
 }
@@ -219,14 +231,28 @@ Neighbours neighbours_of(const ChangedScene& base) {
     return Search(base).all();
 }
 
-std::vector<Override> finest_step(const Scene& scene, const PluginFolders& folders, bool with_words) {
+std::vector<Override> finest_step(const Scene& scene, const PluginFolders& folders) {
     std::vector<Override> finest;
     visit_steps(scene, folders, [&](const Standing& standing) {
-        if (standing.parameter.kind == Kind::choice && !with_words) return;
+        if (standing.parameter.kind == Kind::choice || standing.key == "run.rate") return;
         if (const auto value = one_step(standing.parameter, standing.given, Step::finer))
-            finest.push_back({.key = standing.key, .value = *value});
+            finest.push_back(changed(standing.key, *value));
     });
     return finest;
+}
+
+optional<std::string> load_by_mesh(const Scene& scene, const PluginFolders& folders) {
+    if (scene.needle || !scene.tissue || scene.effects.empty()) return std::nullopt;
+    const PluginLibrary library = PluginLibrary::open(scene.tissue->type, Role::tissue, folders);
+    const std::string name = "load_shared_by", same_for_all = "area";
+    const auto shares = [&](const Parameter& parameter) { return parameter.name == name; };
+    if (std::ranges::none_of(parameters_of(library.descriptor()), shares)) return std::nullopt;
+    const Parameters& given = scene.tissue->parameters;
+    if (given.has(name) && given.text(name) == same_for_all) return std::nullopt;
+    return fmt::format(
+        "the load is shared out by the mesh: another mesh bears another one, and errors hold that too; "
+        "--set {}={} is the same load for all",
+        core::join(scene.tissue->within, name), same_for_all);
 }
 
 std::vector<Neighbour> omissions(const Scene& scene, const PluginFolders& folders) {

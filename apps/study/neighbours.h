@@ -4,6 +4,7 @@
 #include "core/loading/plugin_folders.h"
 #include "core/scene/reader.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,9 +43,12 @@ struct ChangedScene {
 /// scene are left out. Throws core::SceneErrors where the scene itself is wrong.
 [[nodiscard]] Neighbours neighbours_of(const ChangedScene& base);
 
-/// Every parameter one step finer at once; of choices only `with_words`.
-[[nodiscard]] std::vector<core::Override> finest_step(const core::Scene& scene, const core::PluginFolders& folders,
-                                                      bool with_words);
+/// Every number one step finer at once, but for the rate: how many ticks a second has is the scene's to say. Words stay: another
+/// method may take a hundred times as long.
+[[nodiscard]] std::vector<core::Override> finest_step(const core::Scene& scene, const core::PluginFolders& folders);
+
+/// What to mind where a tissue alone is loaded by what its mesh shares out: other cells bear another load. Nothing elsewhere.
+[[nodiscard]] std::optional<std::string> load_by_mesh(const core::Scene& scene, const core::PluginFolders& folders);
 
 /// The scene without each effect, without its needle's buckling, and without each optional quantity of its models that switches
 /// off what it stands for. Whether a scene is left, its reader tells.

@@ -15,6 +15,7 @@ struct Outcome {
     std::string missing{};    // why there is no value: "never punctured"; empty where there is
     std::vector<std::string> remarks{};
     std::optional<Timing> timing{};
+    bool punctured = false;    // the tissue, on the way
 };
 
 }    // namespace stylet::study

@@ -66,6 +66,7 @@ Outcome RunObserver::finish(const core::RunReport& report) {
     if (const auto* event = std::get_if<EventMeasure>(&measure_); event != nullptr && outcome_.y.empty())
         outcome_.missing = fmt::format("never {}", event->event);
     outcome_.remarks = remarks_of(report);
+    outcome_.punctured = std::ranges::find(report.events, "punctured", &core::EventReport::name) != report.events.end();
     const auto fault =
         std::ranges::find_if(report.events, [](const core::EventReport& event) { return event.name.starts_with("fault"); });
     if (fault != report.events.end()) outcome_.missing = fault->name;

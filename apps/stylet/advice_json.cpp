@@ -18,8 +18,11 @@ ordered_json number(double value) {
 
 ordered_json timing_json(const std::optional<study::Timing>& timing) {
     if (!timing) return nullptr;
-    return {
-        {"median_us", timing->median}, {"p99_us", timing->p99}, {"worst_us", timing->worst}, {"contended", timing->contended}};
+    return {{"median_us", timing->median},
+            {"p99_us", timing->p99},
+            {"worst_us", timing->worst},
+            {"mean_us", timing->mean},
+            {"contended", timing->contended}};
 }
 
 ordered_json changes_json(const std::vector<core::Override>& changes) {
@@ -46,7 +49,9 @@ ordered_json omission_json(const study::Omission& omission) {
         json["why"] = omission.why;
         return json;
     }
-    json["costs_us"] = omission.saved;
+    json["other_run"] = omission.other_run;
+    json["costs_us"] = omission.other_run ? ordered_json(nullptr) : number(omission.cost);
+    json["noise_us"] = number(omission.noise);
     json["changes"] = number(omission.change);
     json["largest_without"] = number(omission.largest);
     return json;
@@ -66,12 +71,15 @@ std::string advice_json(const study::Advice& advice) {
     for (const study::LeftOut& one : advice.left_out) left_out.push_back({{"name", one.name}, {"why", one.why}});
     const ordered_json json{{"title", advice.title},
                             {"scene", advice.scene.string()},
+                            {"set", changes_json(advice.changes)},
+                            {"mind", advice.mind},
                             {"budget_s", advice.wish.budget},
                             {"error", advice.wish.error},
                             {"column", advice.column},
                             {"unit", advice.unit},
                             {"reference",
                              {{"name", advice.reference.name},
+                              {"why", advice.reference.why},
                               {"set", changes_json(advice.reference.changes)},
                               {"largest", number(advice.reference.largest)},
                               {"tick", timing_json(advice.reference.timing)}}},

@@ -1,6 +1,7 @@
 #include "apps/stylet/advice_text.h"
 
 #include "apps/study/fineness.h"
+#include "apps/stylet/shell_word.h"
 #include "apps/stylet/study_words.h"
 #include "apps/stylet/table.h"
 
@@ -18,12 +19,24 @@ using Align = Table::Align;
 
 constexpr std::size_t indent = 2, page_width = 120;    // [characters]
 
+std::string set_words(const std::vector<core::Override>& changes) {
+    std::string words;
+    for (const core::Override& change : changes) words += " --set " + shell_word(change.key + "=" + change.value);
+    return words;
+}
+
 std::string paragraph(const std::string& text) {
     return wrapped(text, indent, page_width);
 }
 
 std::string yes_or_no(bool yes) {
     return yes ? "yes" : "no";
+}
+
+/// Of an error or a change: beyond ten times the curve itself digits say nothing.
+std::string share_text(double share) {
+    constexpr double most = 10.0;
+    return std::isfinite(share) && share > most ? fmt::format("> {:.0f} %", 100.0 * most) : error_text(share);
 }
 
 /// "1.000 N", "1.37 mm": of the compared curve.
@@ -34,7 +47,9 @@ std::string amount(double value, const std::string& unit) {
 
 // As they were asked for: a limit has no digits of its own.
 std::string budget_text(const Advice& advice) {
-    return study::written(advice.wish.budget, "s");
+    std::string text = study::written(advice.wish.budget, "s");
+    if (text.ends_with(" us")) text.replace(text.size() - 2, 1, "µ");
+    return text;
 }
 std::string limit_text(const Advice& advice) {
     return fmt::format("{:g} %", 100.0 * advice.wish.error);
@@ -50,31 +65,34 @@ std::string fact(const std::string& name, const std::string& text) {
 std::string heading(const Advice& advice) {
     const study::ReferenceSetting& reference = advice.reference;
     const std::string cost = reference.timing ? time_text(reference.timing->median) + " a tick; " : "";
-    return advice.title + "\n" + fact("scene", advice.scene.string()) +
+    std::string mind;
+    for (const std::string& sentence : advice.mind) mind += fact("mind", sentence);
+    return advice.title + "\n" + fact("scene", advice.scene.string() + set_words(advice.changes)) +
            fact("error", fmt::format("RMS of {} over time, as a share of its largest, {}", advice.column,
                                      amount(reference.largest, advice.unit))) +
-           fact("reference", fmt::format("{} ({}--reference KEY=VALUE chooses another)", reference.name, cost)) +
+           fact("reference",
+                fmt::format("{} ({}{}; --reference KEY=VALUE chooses another)", reference.name, cost, reference.why)) +
            fact("timed", fmt::format("every tick, {} thread{}", advice.threads, advice.threads == 1 ? "" : "s")) +
-           fact("machine", machine_text(advice.machine)) + "\n";
+           fact("machine", machine_text(advice.machine)) + mind + "\n";
 }
 
 std::string remarks_of(const Weighed& setting) {
     std::vector<std::string> all = setting.remarks;
     if (!setting.why.empty()) all.insert(all.begin(), setting.why);
     if (!setting.same_rate()) all.emplace_back("not to be taken: the rate is the hand's");
-    if (setting.timing && setting.timing->contended) all.emplace_back("timed on a busy machine");
+    if (setting.timing && setting.timing->contended) all.emplace_back("busy machine: judged by the median");
     return fmt::format("{}", fmt::join(all, "; "));
 }
 
 std::string settings_text(const Advice& advice) {
     Table table({Align::left, Align::right, Align::right, Align::right, Align::right, Align::right, Align::left});
-    table.add({"setting", "error", "a tick", "p99", "in " + budget_text(advice), "under " + limit_text(advice), ""});
+    table.add({"setting", "error", "a tick", "p99", "p99 in " + budget_text(advice), "under " + limit_text(advice), ""});
     bool of_models = true;
     for (const Weighed& setting : advice.settings) {
         if (of_models && !setting.other_models) table.add({"the scene with"});
         of_models = setting.other_models;
         const bool first = &setting == &advice.settings.front();
-        table.add({(of_models ? "" : "  ") + setting.neighbour.name + (first ? " (the scene)" : ""), error_text(setting.error),
+        table.add({(of_models ? "" : "  ") + setting.neighbour.name + (first ? " (the scene)" : ""), share_text(setting.error),
                    setting.timing ? time_text(setting.timing->median) : "", setting.timing ? time_text(setting.timing->p99) : "",
                    yes_or_no(setting.in_time(advice.wish)), yes_or_no(setting.near_enough(advice.wish)), remarks_of(setting)});
     }
@@ -89,80 +107,77 @@ std::string left_out_text(const Advice& advice) {
 }
 
 /// A sentence that ends with the setting, and below it how to have it.
-std::string pointing(const std::string& sentence, const Weighed& setting) {
-    const std::string words = set_words(setting.neighbour.changes);
-    const std::string text =
-        paragraph(fmt::format("{} {}{}: {} off, {} a tick, 99 of 100 ticks within {}.", sentence, setting.neighbour.name,
-                              words.empty() ? " (the scene as it is)" : "", error_text(setting.error),
-                              time_text(setting.timing->median), time_text(setting.timing->p99)));
+std::string pointing(const std::string& sentence, const Weighed& setting, const Advice& advice) {
+    std::vector<core::Override> changes = advice.changes;
+    changes.insert(changes.end(), setting.neighbour.changes.begin(), setting.neighbour.changes.end());
+    const study::Timing& timing = *setting.timing;
+    const std::string slow = timing.contended ? "by the median: the machine was busy"
+                                              : fmt::format("99 of 100 ticks within {}", time_text(timing.p99));
+    const std::string text = paragraph(fmt::format("{} {}{}: {} off, {} a tick, {}.", sentence, setting.neighbour.name,
+                                                   setting.neighbour.changes.empty() ? " (the scene as it is)" : "",
+                                                   share_text(setting.error), time_text(timing.median), slow));
     const std::string mind = setting.remarks.empty() ? "" : paragraph(fmt::format("Mind: {}.", fmt::join(setting.remarks, "; ")));
-    return text + (words.empty() ? "" : std::string(indent + 4, ' ') + words + "\n") + mind;
+    return text + std::string(indent + 4, ' ') + run_command(advice.scene, changes) + "\n" + mind;
 }
 
 std::string verdict(const Advice& advice) {
     const std::string in_time = "within " + budget_text(advice), near_enough = "under " + limit_text(advice);
     std::string text;
     if (advice.take) {
-        text += pointing("Take", advice.settings[*advice.take]);
-        text += paragraph(fmt::format(
-            "None {} is nearer by more than {}{}.", in_time, error_text(advice.wish.idle_error()),
-            advice.cheapest == advice.take ? fmt::format(", none {} is cheaper by more than a tenth", near_enough) : ""));
+        text += pointing("Take", advice.settings[*advice.take], advice);
+        const std::string none_cheaper = fmt::format(", none {} is cheaper by more than a tenth", near_enough);
+        text += paragraph(fmt::format("None {} is nearer by more than {:g} %{}.", in_time, 100.0 * advice.wish.idle_error(),
+                                      advice.cheapest == advice.take ? none_cheaper : ""));
     } else {
-        text += paragraph(fmt::format("No setting is both {} and {}. Each step was taken alone: --set one and ask again.",
-                                      in_time, near_enough));
-        if (advice.nearest) text += pointing(fmt::format("The most accurate {} is", in_time), advice.settings[*advice.nearest]);
+        text += paragraph(fmt::format(
+            "No setting is both {} and {}. Only one step was tried at a time: add one of them by --set, and ask again.", in_time,
+            near_enough));
+        if (advice.nearest)
+            text += pointing(fmt::format("The most accurate {} is", in_time), advice.settings[*advice.nearest], advice);
     }
     if (advice.cheapest && advice.cheapest != advice.take)
-        text += pointing(fmt::format("The cheapest {} is", near_enough), advice.settings[*advice.cheapest]);
+        text += pointing(fmt::format("The cheapest {} is", near_enough), advice.settings[*advice.cheapest], advice);
     return text;
 }
 
 /// What it adds to a tick; what is lost in the noise of a clock is none.
 std::string cost_text(const Omission& omission, double tick) {
-    constexpr double noise = 0.03;    // of the tick
-    if (std::abs(omission.saved) < noise * tick) return fmt::format("under {:.0f} %", 100.0 * noise);
-    return fmt::format("{}{} ({:+.0f} %)", omission.saved < 0.0 ? "-" : "", time_text(std::abs(omission.saved)),
-                       100.0 * omission.saved / tick);
+    if (omission.other_run) return "the run is another one";
+    if (std::abs(omission.cost) < omission.noise) return fmt::format("under {:.0f} %", std::ceil(100.0 * omission.noise / tick));
+    return fmt::format("{}{} ({:+.0f} %)", omission.cost < 0.0 ? "-" : "", time_text(std::abs(omission.cost)),
+                       100.0 * omission.cost / tick);
+}
+
+std::string change_text(const Omission& omission) {
+    return omission.change < least_error ? "never came into play" : share_text(omission.change);
 }
 
 std::string omissions_text(const Advice& advice) {
     const Weighed& examined = advice.settings[advice.examined];
     if (advice.omissions.empty() || !examined.timing) return "";
-    const double tick = examined.timing->median;
+    const double tick = examined.timing->mean;
     Table table({Align::left, Align::right, Align::right, Align::right, Align::left});
     table.add({"effect", "costs a tick", "changes " + advice.column, "largest without it", ""});
     for (const Omission& omission : advice.omissions) {
         if (omission.why.empty()) {
-            table.add({omission.neighbour.name, cost_text(omission, tick), error_text(omission.change),
+            table.add({omission.neighbour.name, cost_text(omission, tick), change_text(omission),
                        amount(omission.largest, advice.unit)});
         } else {
             table.add({omission.neighbour.name, "", "", "", omission.why});
         }
     }
     return "\n" +
-           paragraph(
-               fmt::format("What each effect costs and does, in {}: found by leaving it out. A tick takes {}, {} is at most "
-                           "{}; changes are RMS over time, as a share of that.",
-                           examined.neighbour.name, time_text(tick), advice.column, amount(advice.largest, advice.unit))) +
+           paragraph(fmt::format(
+               "What each effect costs and does, in {}: found by leaving it out. A tick takes {} in the mean, {} is at most "
+               "{}; changes are RMS over time, as a share of that.",
+               examined.neighbour.name, time_text(tick), advice.column, amount(advice.largest, advice.unit))) +
            "\n" + table.text(indent);
-}
-
-/// As a shell takes it.
-std::string quoted(const std::string& word) {
-    const auto plain = [](unsigned char c) {
-        return std::isalnum(c) != 0 || std::string_view("._-=/:").find(static_cast<char>(c)) != std::string_view::npos;
-    };
-    if (std::all_of(word.begin(), word.end(), plain)) return word;
-    return "'" + word + "'";
 }
 
 }    // namespace
 
-std::string set_words(const std::vector<core::Override>& changes) {
-    std::string words;
-    for (const core::Override& change : changes)
-        words += (words.empty() ? "" : " ") + std::string("--set ") + quoted(change.key + "=" + change.value);
-    return words;
+std::string run_command(const std::filesystem::path& scene, const std::vector<core::Override>& changes) {
+    return "stylet run " + shell_word(scene.string()) + set_words(changes);
 }
 
 std::string advice_text(const Advice& advice) {

@@ -11,7 +11,7 @@ namespace stylet::app {
 
 [[nodiscard]] std::string advice_json(const study::Advice& advice);
 
-/// "--set needle.type=rod --set 'run.rate=2 kHz'", as a shell takes it; empty where nothing is changed.
-[[nodiscard]] std::string set_words(const std::vector<core::Override>& changes);
+/// "stylet run scene.yaml --set needle.type=rod --set 'run.rate=2 kHz'", as a shell takes it.
+[[nodiscard]] std::string run_command(const std::filesystem::path& scene, const std::vector<core::Override>& changes);
 
 }    // namespace stylet::app

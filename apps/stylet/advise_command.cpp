@@ -23,9 +23,10 @@ constexpr const char* examples =
 cheapest under the error. Neighbours are every combination of the models that the scene holds maps for, or that need no parameters,
 and each parameter of the scene that buys accuracy with time, one step coarser and one step finer. Another rate is shown, and never
 taken: it is the hand's; nor is a setting that gains less than a tenth. The error is that of the hand's force over time (of a tissue
-alone, how far its loaded patches move; of a needle that nobody holds, how far it bows) against a reference: left out, the costliest
-of the models with all such parameters one step finer. Beneath: what each effect of the setting costs a tick and what it changes,
-found by leaving it out. A run that would take over a minute is given up, and told of. Times are only as good as the machine is
+alone, how far its loaded patches move; of a needle that nobody holds, how far it bows) against a reference: left out, the scene's
+own models, or those that take twice as long or more, with all numbers but the rate one step finer. Beneath: what each effect of the
+setting costs a tick, in the mean over the run, and what it changes, found by leaving it out. Given up, and told of, is a run that
+would take more than 15 s; the scene itself and a reference that was looked for, 45 s. Times are only as good as the machine is
 quiet.
 
 Examples:
@@ -35,11 +36,11 @@ Examples:
   stylet advise scenes/liver/bovine_liver.yaml --set 'run.rate=500 Hz' --json -
 
 Exit codes: 0 ok, 2 the scene or the reference is wrong, 3 wrong command line, 4 a file cannot be written, 130 stopped by Ctrl-C,
-which leaves nothing.)";
+which leaves files as they were.)";
 
 struct AdviceArguments {
     SceneArguments scene;
-    std::string budget = "1 ms", error = "5%";
+    std::string budget, error = "5%";
     std::vector<std::string> reference;
     std::string json;
     int threads = core::processors();
@@ -69,27 +70,26 @@ double error_of(const std::string& text) {
 std::vector<core::Override> reference_of(const std::vector<std::string>& texts) {
     std::vector<core::Override> changes;
     for (const std::string& text : texts) {
-        const std::size_t equals = text.find('=');
-        if (equals == std::string::npos || equals == 0) {
+        const auto change = read_key_value(text);
+        if (!change) {
             throw Failure(
                 ExitCode::wrong_command,
                 fmt::format("--reference: found {}, wanted KEY=VALUE, for instance needle.type=rod", core::quote(text)));
         }
-        const std::string key = text.substr(0, equals);
-        changes.push_back({.key = key, .value = text.substr(equals + 1), .given = "--reference " + core::printable(key)});
+        changes.push_back({.key = change->key, .value = change->value, .given = "--reference " + core::printable(change->key)});
     }
     return changes;
 }
 
 study::Request request_of(const AdviceArguments& arguments) {
-    const std::vector<std::string>& files = arguments.scene.files();
-    if (files.size() != 1) throw Failure(ExitCode::wrong_command, fmt::format("SCENE: found {}, wanted one", files.size()));
-    study::Request request{.scene = files.front(),
+    study::Request request{.scene = arguments.scene.files().front(),
                            .changes = arguments.scene.overrides(),
-                           .wish = {.budget = budget_of(arguments.budget), .error = error_of(arguments.error)},
+                           .budget = {},
+                           .error = error_of(arguments.error),
                            .reference = {},
                            .threads = arguments.threads,
                            .folders = arguments.scene.folders()};
+    if (!arguments.budget.empty()) request.budget = budget_of(arguments.budget);
     if (!arguments.reference.empty()) request.reference = reference_of(arguments.reference);
     return request;
 }
@@ -107,12 +107,11 @@ ExitCode tell(const AdviceArguments& arguments) {
     const study::Request request = request_of(arguments);
     const bool to_stdout = arguments.json == "-";
     const bool to_file = !arguments.json.empty() && !to_stdout;
-    if (to_file) expect_writable(arguments.json);
+    if (to_file) expect_writable_later(arguments.json);
     const Interrupt interrupt;
     const std::optional<study::Advice> advice = advice_on(request);
     if (!advice) {
-        if (to_file) std::filesystem::remove(arguments.json);    // which was only tried
-        fmt::print(stderr, "{}: stopped by Ctrl-C; nothing is kept\n", request.scene.string());
+        fmt::print(stderr, "{}: stopped by Ctrl-C; nothing is written\n", request.scene.string());
         return ExitCode::interrupted;
     }
     fmt::print("{}", to_stdout ? advice_json(*advice) : advice_text(*advice));
@@ -128,7 +127,8 @@ Command advise_command(CLI::App& line) {
         line.add_subcommand("advise", "Say which models and resolution to take for a scene, and what effects cost");
     options->footer(examples);
     arguments->scene.add_to(*options);
-    options->add_option("--budget", arguments->budget, "Time for a tick")->type_name("TIME")->capture_default_str();
+    options->get_option("SCENE")->expected(1);
+    options->add_option("--budget", arguments->budget, "Time for a tick; left out, the scene's own period")->type_name("TIME");
     options->add_option("--error", arguments->error, "How far off a setting may be")->type_name("SHARE")->capture_default_str();
     options
         ->add_option("--reference", arguments->reference,

@@ -1,6 +1,7 @@
 #include "apps/stylet/load_models.h"
 
 #include "apps/stylet/failure.h"
+#include "apps/stylet/scene_arguments.h"
 #include "core/scene/complaints.h"
 
 #include <fmt/format.h>
@@ -41,11 +42,11 @@ AskedModel read_asked_model(const std::string& text) {
     AskedModel asked = model(parts.front(), given);
     bool sound = !parts.front().empty() && parts.front().find('=') == std::string::npos;
     for (std::size_t i = 1; i < parts.size() && sound; ++i) {
-        const std::size_t equals = parts[i].find('=');
-        sound = equals != std::string::npos && equals > 0;
+        const auto change = read_key_value(parts[i]);
+        sound = change.has_value();
         if (!sound) break;
-        const std::string key = fmt::format("{}.{}.{}", section, asked.type, parts[i].substr(0, equals));
-        asked.overrides.push_back({key, parts[i].substr(equals + 1), given, true});
+        const std::string key = fmt::format("{}.{}.{}", section, asked.type, change->key);
+        asked.overrides.push_back({key, change->value, given, true});
         asked.changes.push_back(parts[i]);
     }
     if (sound) return asked;

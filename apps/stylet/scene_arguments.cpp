@@ -6,6 +6,12 @@
 
 namespace stylet::app {
 
+std::optional<KeyValue> read_key_value(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) return std::nullopt;
+    return KeyValue{.key = text.substr(0, equals), .value = text.substr(equals + 1)};
+}
+
 void add_plugin_dir(CLI::App& options, std::vector<std::string>& folders) {
     options.add_option("--plugin-dir", folders, "Look for plugins here first; may be given several times")
         ->type_name("DIR")
@@ -30,12 +36,12 @@ void SceneArguments::add_to(CLI::App& options) {
 std::vector<core::Override> SceneArguments::overrides() const {
     std::vector<core::Override> overrides;
     for (const std::string& text : set_) {
-        const std::size_t equals = text.find('=');
-        if (equals == std::string::npos || equals == 0) {
+        const auto change = read_key_value(text);
+        if (!change) {
             throw Failure(ExitCode::wrong_command,
                           fmt::format("--set: found \"{}\", wanted KEY=VALUE, for instance needle.length='180 mm'", text));
         }
-        overrides.push_back({text.substr(0, equals), text.substr(equals + 1)});
+        overrides.push_back({change->key, change->value});
     }
     return overrides;
 }

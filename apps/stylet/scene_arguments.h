@@ -6,10 +6,18 @@
 
 #include <CLI/App.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace stylet::app {
+
+struct KeyValue {
+    std::string key, value;
+};
+
+/// "needle.type=rod" at its first '='; nothing where there is none or no key before it.
+[[nodiscard]] std::optional<KeyValue> read_key_value(const std::string& text);
 
 void add_plugin_dir(CLI::App& options, std::vector<std::string>& folders);
 [[nodiscard]] core::PluginFolders plugin_folders(const std::vector<std::string>& given);

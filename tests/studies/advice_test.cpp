@@ -83,6 +83,34 @@ TEST(Advice, AsksNinetyNineOfAHundredTicksToBeInTime) {
     EXPECT_FALSE(setting(0.0, 10, 1001).in_time(wish));
 }
 
+TEST(Advice, JudgesABusyMachineByItsMedian) {
+    const Wish wish{.budget = 1e-3, .error = 0.05};
+    Weighed busy = setting(0.0, 10, 5000);
+    EXPECT_FALSE(busy.in_time(wish));
+    busy.timing->contended = true;
+    EXPECT_TRUE(busy.in_time(wish));
+    busy.timing->median = 1001;
+    EXPECT_FALSE(busy.in_time(wish));
+}
+
+TEST(Costliest, IsTheScenesOwnModelsWhereNoOtherIsClearlyCostlier) {
+    EXPECT_EQ(costliest({setting(never, 10, 20), setting(never, 11, 20), setting(never, 19, 90)}), 0u);
+    EXPECT_EQ(costliest({setting(never, 10, 20), setting(never, 21, 20)}), 1u);
+}
+
+TEST(Costliest, IsTheFirstOfSeveralThatAreAlike) {
+    EXPECT_EQ(costliest({setting(never, 1, 2), setting(never, 100, 200), setting(never, 104, 200), setting(never, 97, 200)}), 1u);
+    EXPECT_EQ(costliest({setting(never, 1, 2), setting(never, 40, 80), setting(never, 97, 200), setting(never, 100, 200)}), 2u);
+}
+
+TEST(Costliest, PassesOverWhatDidNotRunToItsEnd) {
+    Weighed broken = setting(never, 500, 900), untimed = setting(never, 0, 0);
+    broken.why = "fault: no equilibrium";
+    untimed.timing.reset();
+    EXPECT_EQ(costliest({untimed, setting(never, 5, 9), broken}), 1u);
+    EXPECT_EQ(costliest({untimed, broken}), 0u);
+}
+
 TEST(Pace, ExpectsOfEachKindWhatItsRunsTook) {
     Pace pace;
     pace.expect(3, 2, 1);

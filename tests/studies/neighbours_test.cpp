@@ -12,6 +12,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
+using testing::StartsWith;
 
 const core::PluginFolders folders = core::PluginFolders::standard();
 
@@ -51,7 +52,7 @@ TEST(Neighbours, ThatRefuseTheSceneAreLeftOutAndSaidWhy) {
     const Neighbours neighbours = neighbours_of(scene_file("paper/fig10a_l150.yaml"));
     ASSERT_THAT(neighbours.left_out, SizeIs(1));
     EXPECT_EQ(neighbours.left_out[0].name, "winkler");
-    EXPECT_THAT(neighbours.left_out[0].why, HasSubstr("foundation_modulus"));
+    EXPECT_THAT(neighbours.left_out[0].why, StartsWith("needle.buckling.winkler.foundation_modulus: found none"));
 }
 
 TEST(Neighbours, StepTheResolutionOfTheModelsThatAreChosen) {
@@ -87,13 +88,23 @@ TEST(Neighbours, KnowWhichNeedlesAskForACriticalLoad) {
     EXPECT_FALSE(asks_for_load(scene_file("validation/block_m0.yaml").read(), folders));
 }
 
-TEST(FinestStep, TakesEveryParameterOneStepFinerAtOnce) {
+TEST(FinestStep, TakesEveryNumberButTheRateOneStepFinerAtOnce) {
     const core::Scene scene = scene_file("paper/fig9.yaml", {{"tissue.type", "corotational_fem"}, {"needle.type", "rod"}}).read();
-    const std::string numbers =
-        "tissue.corotational_fem.accuracy=0.0005, needle.rod.nodes=81, run.rate=2 kHz, coupling.contact_spacing=2.5 mm";
-    EXPECT_EQ(text_of(finest_step(scene, folders, false)), "tissue.corotational_fem.cells=[24, 24, 9], " + numbers);
-    EXPECT_EQ(text_of(finest_step(scene, folders, true)),
-              "tissue.corotational_fem.cells=[24, 24, 9], tissue.corotational_fem.solver=newton, " + numbers);
+    EXPECT_EQ(text_of(finest_step(scene, folders)),
+              "tissue.corotational_fem.cells=[24, 24, 9], tissue.corotational_fem.accuracy=0.0005, needle.rod.nodes=81, "
+              "coupling.contact_spacing=2.5 mm");
+}
+
+TEST(LoadByMesh, IsToBeMindedOfALoadedTissueAloneUntilItsAreaSharesTheLoad) {
+    const auto mind = [](const char* scene, const std::vector<core::Override>& changes) {
+        return load_by_mesh(scene_file(scene, changes).read(), folders);
+    };
+    const auto by_nodes = mind("validation/block_m0.yaml", {});
+    ASSERT_TRUE(by_nodes.has_value());
+    EXPECT_THAT(*by_nodes, HasSubstr("--set tissue.corotational_fem.load_shared_by=area"));
+    EXPECT_EQ(mind("validation/block_m0.yaml", {{"tissue.corotational_fem.load_shared_by", "area"}}), std::nullopt);
+    EXPECT_EQ(mind("validation/half_space_patch.yaml", {}), std::nullopt) << "it has no mesh";
+    EXPECT_EQ(mind("paper/fig9.yaml", {{"tissue.type", "corotational_fem"}}), std::nullopt) << "it bears a needle";
 }
 
 TEST(Omissions, AreEffectsBucklingAndWhatAQuantitySwitchesOff) {
