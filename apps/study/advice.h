@@ -52,7 +52,7 @@ struct Omission {
     Neighbour neighbour;
     std::string why{};         // it cannot be left out; empty where it can
     double cost = 0.0;         // [µs] of the mean tick; negative where it takes longer without
-    double noise = 0.0;        // [µs] below it a cost says nothing
+    double noise = 0.0;        // [µs] below it a cost says nothing; infinite where the machine was busy
     bool other_run = false;    // with and without it not the same happens: there is no telling what it costs
     double change = 0.0;       // RMS of the curve's difference, as a share of its largest value
     double largest = 0.0;      // of the curve without it

@@ -85,12 +85,8 @@ std::vector<core::Override> joined(std::vector<core::Override> first, const std:
 /// What a run without an effect tells of it.
 Omission omission_of(const Neighbour& omitted, const Outcome& with, const Outcome& without) {
     const ErrorOfOutcome change = error_of(without, with);
-    constexpr double clock_noise = 0.03;      // of a tick, on a quiet machine
-    constexpr double clock_reading = 0.05;    // [µs] or twice what it takes
-    double noise = std::max(clock_noise, clock_reading / with.timing->mean);
-    for (const Outcome* outcome : {&with, &without}) {
-        if (outcome->timing->contended) noise = std::max(noise, outcome->timing->waited);
-    }
+    const bool busy = with.timing->contended || without.timing->contended;    // a mean holds all that was waited for
+    const double noise = busy ? INFINITY : Wish::idle;    // of a tick: two runs of the same setting differ by half as much
     return {.neighbour = omitted,
             .why = change.why,
             .cost = with.timing->mean - without.timing->mean,

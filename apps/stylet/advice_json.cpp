@@ -50,7 +50,7 @@ ordered_json omission_json(const study::Omission& omission) {
         return json;
     }
     json["other_run"] = omission.other_run;
-    json["costs_us"] = omission.other_run ? ordered_json(nullptr) : number(omission.cost);
+    json["costs_us"] = omission.other_run || !std::isfinite(omission.noise) ? ordered_json(nullptr) : number(omission.cost);
     json["noise_us"] = number(omission.noise);
     json["changes"] = number(omission.change);
     json["largest_without"] = number(omission.largest);

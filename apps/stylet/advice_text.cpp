@@ -143,6 +143,7 @@ std::string verdict(const Advice& advice) {
 /// What it adds to a tick; what is lost in the noise of a clock is none.
 std::string cost_text(const Omission& omission, double tick) {
     if (omission.other_run) return "the run is another one";
+    if (!std::isfinite(omission.noise)) return "the machine was busy";
     if (std::abs(omission.cost) < omission.noise) return fmt::format("under {:.0f} %", std::ceil(100.0 * omission.noise / tick));
     return fmt::format("{}{} ({:+.0f} %)", omission.cost < 0.0 ? "-" : "", time_text(std::abs(omission.cost)),
                        100.0 * omission.cost / tick);
