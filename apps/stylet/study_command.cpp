@@ -17,6 +17,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace stylet::app {
 namespace {
@@ -72,6 +73,21 @@ std::string command_of(const StudyArguments& arguments) {
     return command;
 }
 
+ExitCode stopped(const StudyArguments& arguments) {
+    fmt::print(stderr, "{}: stopped by Ctrl-C; the same command goes on where it was\n", arguments.file);
+    return ExitCode::interrupted;
+}
+
+/// Nothing where Ctrl-C, which gnuplot hears too, has ended it.
+std::optional<PictureFiles> drawn(const study::Result& result, const fs::path& stem) {
+    try {
+        return draw_study(result, stem);
+    } catch (const Failure&) {
+        if (!Interrupt::asked()) throw;
+        return std::nullopt;
+    }
+}
+
 ExitCode conduct(const StudyArguments& arguments) {
     const study::Study study = study::read_study(arguments.file, plugin_folders(arguments.plugin_dirs));
     make_folder(arguments.out);
@@ -83,16 +99,14 @@ ExitCode conduct(const StudyArguments& arguments) {
     study::Result result = run(study, arguments, log);
     result.command = command_of(arguments);
     if (!arguments.quiet) fmt::print("{}", study_text(result));
-    if (result.stopped) {
-        fmt::print(stderr, "{}: stopped by Ctrl-C; the same command goes on where it was\n", arguments.file);
-        return ExitCode::interrupted;
-    }
+    if (result.stopped) return stopped(arguments);
     write_file(files.with(".csv"), study_csv(result));
-    const PictureFiles pictures = draw_study(result, files.stem);
-    write_file(files.with(".md"), study_page(result, pictures.png.filename().string()));
+    const std::optional<PictureFiles> pictures = drawn(result, files.stem);
+    if (!pictures) return stopped(arguments);
+    write_file(files.with(".md"), study_page(result, pictures->png.filename().string()));
     if (!arguments.quiet)
-        fmt::print("\n{}\n{}\n{}\n{}\n", files.with(".md").string(), files.with(".csv").string(), pictures.svg.string(),
-                   pictures.png.string());
+        fmt::print("\n{}\n{}\n{}\n{}\n", files.with(".md").string(), files.with(".csv").string(), pictures->svg.string(),
+                   pictures->png.string());
     return ExitCode::ok;
 }
 

@@ -73,6 +73,11 @@ std::string how(const Result& result) {
     return "## How it was measured\n\n" + bullets(facts) + "This page again:\n\n";
 }
 
+/// A link's goal, which must not end at a blank or a bracket.
+std::string link_to(const std::string& file) {
+    return file.find_first_of(" ()") == std::string::npos ? file : "<" + file + ">";
+}
+
 }    // namespace
 
 std::string study_page(const Result& result, const std::string& picture_file) {
@@ -80,7 +85,8 @@ std::string study_page(const Result& result, const std::string& picture_file) {
     const std::string stopped = result.stopped ? "**Stopped before all was run: what is missing is left out.**\n\n" : "";
     return std::string(origin) + "# " + markdown(result.title) + "\n\n" + question + stopped +
            fmt::format("![{}: {}]({})\n\n", markdown(result.title),
-                       result.timed == study::Timed::nothing ? "the error of each setting" : "error over time", picture_file) +
+                       result.timed == study::Timed::nothing ? "the error of each setting" : "error over time",
+                       link_to(picture_file)) +
            bullets(result.verdict) + "## Settings\n\n" + table(result) + bullets(marks_explained(result)) + orders(result) +
            how(result) + fmt::format("```sh\n{}\n```\n", result.command);
 }
