@@ -1,6 +1,6 @@
+#include "apps/study/recording_file.h"
 #include "apps/stylet/command.h"
 #include "apps/stylet/gnuplot.h"
-#include "apps/study/recording_file.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #include "apps/stylet/scene_loads.h"
 
-#include "apps/stylet/column_at_depth.h"
 #include "apps/study/gathered_errors.h"
-#include "apps/stylet/insertion_force.h"
 #include "apps/study/inserted_column.h"
+#include "apps/stylet/column_at_depth.h"
+#include "apps/stylet/insertion_force.h"
 #include "core/loading/loaded.h"
 #include "core/scene/units.h"
 
