@@ -1,5 +1,6 @@
 #include "apps/study/adviser.h"
 
+#include "apps/study/changes.h"
 #include "apps/study/errors.h"
 #include "apps/study/job.h"
 #include "apps/study/machine.h"
@@ -77,11 +78,6 @@ void begin_at_0(Outcome& outcome) {
     outcome.y.insert(outcome.y.begin(), outcome.y.front());
 }
 
-std::vector<core::Override> joined(std::vector<core::Override> first, const std::vector<core::Override>& second) {
-    first.insert(first.end(), second.begin(), second.end());
-    return first;
-}
-
 /// What a run without an effect tells of it.
 Omission omission_of(const Neighbour& omitted, const Outcome& with, const Outcome& without) {
     const ErrorOfOutcome change = error_of(without, with);
@@ -130,9 +126,7 @@ private:
         advice_.threads = request_.threads;
         advice_.machine = this_machine();
         advice_.column = measured_column(scene_);
-        const auto column = std::ranges::find(core::all_columns(), advice_.column,
-                                              [](const core::Column& known) { return std::string(known.name); });
-        advice_.unit = column->unit;
+        advice_.unit = core::column_named(advice_.column)->unit;
     }
 
     /// Throws GivenUp, Stopped, and core::SceneErrors where the changed scene is none.

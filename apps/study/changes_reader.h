@@ -7,8 +7,8 @@
 
 namespace stylet::study {
 
-/// What the map at `path` says under `set` (a map of the scene's keys) and `leave_out` (a list of them), removals first: list
-/// items keep the numbers that the scene gives them.
+/// What the map at `path` says under `set` (a map of the scene's keys) and `leave_out` (a list of them); what is set of one key
+/// counts more than that it is left out. List items keep the numbers that the scene gives them.
 [[nodiscard]] std::vector<core::Override> read_changes(const core::ValueTree& map, const std::string& path,
                                                        core::Reading& reading);
 

@@ -93,7 +93,7 @@ private:
     Timing run(bool first) {
         RunObserver observer(job_.measure);
         Stopwatch watch;
-        double load = 0.0;    // [s]
+        double load = 0.0, loading_waited = 0.0;    // [s], and a share of it
         bool begun = false;
         core::RunOptions options;
         options.threads = job_.threads;
@@ -102,7 +102,7 @@ private:
         options.observe = [&](const core::Simulation& simulation) {
             if (!begun) {
                 load = watch.wall();
-                loading_waited_ = watch.waited();
+                loading_waited = watch.waited();
                 watch.start();
                 begun = true;
             } else if (first) {
@@ -114,7 +114,7 @@ private:
         if (first) outcome_ = observer.finish(report);
         if (job_.timed == Timed::load) {
             constexpr double us = 1e6;    // in a second
-            return {.median = load * us, .p99 = load * us, .worst = load * us, .waited = loading_waited_};
+            return {.median = load * us, .p99 = load * us, .worst = load * us, .mean = load * us, .waited = loading_waited};
         }
         return {.median = report.tick_us.median,
                 .p99 = report.tick_us.p99,
@@ -138,6 +138,7 @@ private:
         return {.median = of_one(batches.durations.quantile(0.5)),
                 .p99 = of_one(batches.durations.quantile(0.99)),
                 .worst = of_one(batches.durations.worst()),
+                .mean = of_one(batches.durations.mean()),
                 .waited = watch.waited()};
     }
 
@@ -178,7 +179,6 @@ private:
     const std::function<void(double)>& progress_;
     Outcome outcome_;
     double done_ = 0.0, share_ = 1.0;    // of the job, by earlier repetitions and by this one
-    double loading_waited_ = 0.0;
 };
 
 }    // namespace

@@ -11,7 +11,7 @@
 
 #include <algorithm>
 #include <map>
-#include <string_view>
+#include <set>
 
 namespace stylet::study {
 namespace {
@@ -53,7 +53,7 @@ public:
 private:
     /// A slip of the pen must not fill the machine.
     void check_size() const {
-        constexpr std::size_t most = 100000;
+        constexpr std::size_t most = 20000;
         const std::size_t size = plan_.settings.size() * study_.cases.size();
         if (size <= most) return;
         throw core::SceneErrors({fmt::format("{}: found {} settings in {} cases, wanted at most {} runs", study_.file.string(),
@@ -61,15 +61,12 @@ private:
     }
 
     /// Every setting is told by its name.
-    void check_names() {
-        for (std::size_t i = 1; i < plan_.settings.size(); ++i) {
-            const std::string name = plan_.settings[i].name();
-            const auto before = plan_.settings.begin() + static_cast<std::ptrdiff_t>(i);
-            const bool again =
-                std::any_of(plan_.settings.begin(), before, [&](const Setting& other) { return other.name() == name; });
-            if (again)
-                throw core::SceneErrors({fmt::format("{}: found two settings called {}, wanted labels that tell them apart",
-                                                     study_.file.string(), core::quote(name))});
+    void check_names() const {
+        std::set<std::string> names;
+        for (const Setting& setting : plan_.settings) {
+            if (names.insert(setting.name()).second) continue;
+            throw core::SceneErrors({fmt::format("{}: found two settings called {}, wanted labels that tell them apart",
+                                                 study_.file.string(), core::quote(setting.name()))});
         }
     }
 

@@ -110,10 +110,8 @@ std::string with_unit(const std::string& name, const std::string& unit) {
 
 /// The SI unit of a recorded column; "1" of what is none.
 std::string unit_of_column(const std::string& name) {
-    const auto columns = core::all_columns();
-    const auto found =
-        std::ranges::find(columns, std::string_view(name), [](const core::Column& c) { return std::string_view(c.name); });
-    return found == columns.end() ? "1" : found->unit;
+    const core::Column* column = core::column_named(name);
+    return column == nullptr ? "1" : column->unit;
 }
 
 /// One of a curve's two columns in a file.

@@ -3,7 +3,7 @@
 
 #include "apps/study/study.h"
 
-#include <limits>
+#include <cmath>
 
 namespace stylet::study {
 
@@ -30,8 +30,9 @@ struct SettingResult {
     std::vector<std::string> remarks{};                        // "never punctured", "found no equilibrium in 3 ticks"
     bool on_front = false;                                     // no other setting is both cheaper and nearer
     bool is_reference = false;                                 // in each case the very run it is compared with
-    bool failed = false;                                       // its error is not finite
 
+    /// It did not do what is measured.
+    [[nodiscard]] bool failed() const { return !std::isfinite(error.judged); }
     /// "rod, 41 nodes"
     [[nodiscard]] std::string name() const { return label.empty() ? series : series + ", " + label; }
 };

@@ -12,17 +12,15 @@ namespace {
 using Json = nlohmann::json;
 
 Json to_json(const Timing& timing) {
-    return {{"median", timing.median},
-            {"p99", timing.p99},
-            {"worst", timing.worst},
-            {"waited", timing.waited},
-            {"contended", timing.contended}};
+    return {{"median", timing.median}, {"p99", timing.p99},       {"worst", timing.worst},
+            {"mean", timing.mean},     {"waited", timing.waited}, {"contended", timing.contended}};
 }
 
 Timing to_timing(const Json& json) {
     return {.median = json.at("median"),
             .p99 = json.at("p99"),
             .worst = json.at("worst"),
+            .mean = json.at("mean"),
             .waited = json.at("waited"),
             .contended = json.at("contended")};
 }

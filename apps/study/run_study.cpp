@@ -43,7 +43,6 @@ public:
             result.split_rest = errors(twin, known, nullptr);
         }
         result.is_reference = !plan_.references.empty() && plan_.mine[s] == plan_.references[s];
-        result.failed = !std::isfinite(result.error.judged);
         for (std::size_t c = 0; c < study_.cases.size(); ++c) {
             for (const std::string& remark : mine(c).remarks) add_remark(remark, result.remarks);
         }
@@ -95,7 +94,7 @@ void add_orders(const Study& study, const std::vector<Setting>& settings, Result
     for (const Series& series : study.series) {
         std::vector<double> numbers, errors;
         for (std::size_t s = 0; s < result.settings.size(); ++s) {
-            if (result.settings[s].series != series.name || result.settings[s].failed || !settings[s].fitted) continue;
+            if (result.settings[s].series != series.name || result.settings[s].failed() || !settings[s].fitted) continue;
             numbers.push_back(*settings[s].fitted);
             errors.push_back(result.settings[s].error.judged);
         }

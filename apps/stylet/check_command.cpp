@@ -1,4 +1,4 @@
-#include "apps/study/plan.h"
+#include "apps/study/known_answers.h"
 #include "apps/study/study_reader.h"
 #include "apps/stylet/command.h"
 #include "apps/stylet/scene_arguments.h"
@@ -23,16 +23,26 @@ Examples:
 
 Exit codes: 0 all scenes are sound, 2 one is not, 3 wrong command line.)";
 
+/// Reads every scene that it makes, and its files of known answers.
+void check_study(const std::string& file, const core::PluginFolders& folders) {
+    const study::Study study = study::read_study(file, folders);
+    const study::Plan plan = study::plan_of(study, folders, "");
+    const study::KnownAnswers known(study, plan);
+}
+
 /// Sound means of a scene that its models can be made too, so the cast is loaded and let go again.
 bool sound(const std::string& file, const std::vector<core::Override>& overrides, const core::PluginFolders& folders) {
     try {
         if (overrides.empty() && core::holds_study(file)) {
-            (void)study::plan_of(study::read_study(file, folders), folders, "");
+            check_study(file, folders);
         } else {
             const core::Cast cast(core::read_scene(file, overrides, folders), folders);
         }
     } catch (const core::SceneErrors& errors) {
         fmt::print(stderr, "{}\n", fmt::join(errors.messages(), "\n"));
+        return false;
+    } catch (const Error& error) {    // of a file of known answers
+        fmt::print(stderr, "{}\n", error.what());
         return false;
     }
     fmt::print("{}: sound\n", file);

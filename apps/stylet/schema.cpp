@@ -133,10 +133,9 @@ private:
         ordered_json words = ordered_json::array(), meanings = ordered_json::array();
         for (const std::string& word : core::record_words()) {
             words.push_back(word);
-            const auto column = std::ranges::find(core::all_columns(), word, &core::Column::name);
-            const bool group = column == core::all_columns().end();
-            meanings.push_back(group ? "every column of the energy ledger"
-                                     : fmt::format("[{}] {}", column->unit, column->meaning));
+            const core::Column* column = core::column_named(word);    // or a group of them
+            meanings.push_back(column == nullptr ? "every column of the energy ledger"
+                                                 : fmt::format("[{}] {}", column->unit, column->meaning));
         }
         return {{"enum", words}, {"enumDescriptions", meanings}};
     }

@@ -48,7 +48,7 @@ std::string row(const SettingResult& setting, const Result& result) {
     std::string text = csv_cell(setting.series) + "," + csv_cell(setting.label) + "," + fmt::format("{}", setting.error.judged);
     if (result.split) text += "," + value(setting.split_part) + "," + value(setting.split_rest);
     return text + fmt::format(",{},{},{},{},{:d},{:d},{}\n", setting.error.median, setting.error.p95, setting.error.worst,
-                              times(setting.timing), setting.on_front, setting.failed, csv_cell(remarks_text(setting)));
+                              times(setting.timing), setting.on_front, setting.failed(), csv_cell(remarks_text(setting)));
 }
 
 }    // namespace

@@ -216,8 +216,10 @@ repetitions: 2
     EXPECT_EQ(std::stod(rows[0].at("error [1]")), 0.0) << "it is the reference";
     // After the puncture 5 N/m of friction hold 50 to 67 mm of shaft: a quarter to a third of a newton, of the 1 N at the
     // puncture, along the last quarter of the way.
-    EXPECT_GT(std::stod(rows[1].at("error [1]")), 0.05);
-    EXPECT_LT(std::stod(rows[1].at("error [1]")), 0.2);
+    const double friction = std::stod(rows[1].at("error [1]"));
+    std::printf("friction changes the force by %.3f of its largest\n", friction);
+    EXPECT_GT(friction, 0.05);
+    EXPECT_LT(friction, 0.2);
     EXPECT_LT(std::stod(rows[2].at("error [1]")), 0.01) << "a needle that doesn't buckle is as good as rigid";
     for (const std::string& median : column(rows, "median [us]")) EXPECT_GT(std::stod(median), 0.0);
     EXPECT_THAT(outcome.out, AllOf(HasSubstr("Cheapest under 1 %"), HasSubstr("rigid"),

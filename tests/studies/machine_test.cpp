@@ -8,12 +8,12 @@
 #include <array>
 #include <cstdio>
 #include <fstream>
+#include <sstream>
 
 namespace stylet::study {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
 using testing::StartsWith;
 
 TEST(ThisMachine, SaysWhatItsTimesAreWorth) {
@@ -31,8 +31,8 @@ TEST(ThisMachine, KeepsItsNameToItself) {
     std::array<char, 256> name{};
     ASSERT_EQ(gethostname(name.data(), name.size() - 1), 0);
     const std::string host = name.data();
-    if (host.size() < 5) GTEST_SKIP() << "a name so short may stand in any word";
-    EXPECT_THAT(this_machine().system, Not(HasSubstr(host)));
+    std::istringstream words(this_machine().system);    // a short name may stand within a longer word
+    for (std::string word; words >> word;) EXPECT_NE(word, host);
 }
 
 TEST(ValueIn, ReadsWhatFollowsAKey) {

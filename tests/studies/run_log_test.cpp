@@ -29,7 +29,7 @@ TEST_F(RunLogTest, GivesBackEveryDigit) {
     const Outcome outcome{.x = {0.1, 1.0 / 3.0},
                           .y = {1e-300, std::numeric_limits<double>::infinity()},
                           .remarks = {"a \"remark\""},
-                          .timing = Timing{.median = 1.0 / 7.0, .p99 = 2.0, .worst = 3.0, .waited = 0.01}};
+                          .timing = Timing{.median = 1.0 / 7.0, .p99 = 2.0, .worst = 3.0, .mean = 1.0 / 9.0, .waited = 0.01}};
     write("key", outcome);
     const RunLog log(file_, false);
     const Outcome* found = log.find("key");
@@ -39,6 +39,7 @@ TEST_F(RunLogTest, GivesBackEveryDigit) {
     EXPECT_FALSE(std::isfinite(found->y.back()));
     EXPECT_EQ(found->remarks, outcome.remarks);
     EXPECT_EQ(found->timing->median, outcome.timing->median);
+    EXPECT_EQ(found->timing->mean, outcome.timing->mean);
     EXPECT_EQ(log.find("another"), nullptr);
 }
 

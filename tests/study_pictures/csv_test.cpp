@@ -67,7 +67,7 @@ TEST(StudyCsv, GivesBackEveryNumber) {
             EXPECT_EQ(csv.cell(i, "setting"), setting.label);
             EXPECT_EQ(csv.number(i, "error [1]"), setting.error.judged);
             EXPECT_EQ(csv.number(i, "error p95 [1]"), setting.error.p95);
-            EXPECT_EQ(csv.cell(i, "failed"), setting.failed ? "1" : "0");
+            EXPECT_EQ(csv.cell(i, "failed"), setting.failed() ? "1" : "0");
             EXPECT_EQ(csv.cell(i, "front"), setting.on_front ? "1" : "0");
             if (!setting.timing) {
                 EXPECT_EQ(csv.cell(i, "median [us]"), "");

@@ -50,16 +50,15 @@ void add(Result& result, const std::string& series, const std::string& label, do
 }
 
 void fail(SettingResult& setting, const std::string& reason) {
-    setting.failed = true;
     setting.error = one_error(std::numeric_limits<double>::infinity());
     setting.remarks = {reason};
 }
 
 void mark_front(Result& result) {
     for (SettingResult& setting : result.settings) {
-        setting.on_front = setting.timing && !setting.failed;
+        setting.on_front = setting.timing && !setting.failed();
         for (const SettingResult& other : result.settings) {
-            const bool beaten = setting.timing && other.timing && !other.failed && &other != &setting &&
+            const bool beaten = setting.timing && other.timing && !other.failed() && &other != &setting &&
                                 other.timing->median <= setting.timing->median && other.error.judged <= setting.error.judged;
             if (beaten) setting.on_front = false;
         }

@@ -1,15 +1,11 @@
 #include "contact/regions_felt.h"
 
+#include <stylet/layered_elasticity.h>
+
 #include <cmath>
 #include <numbers>
 
 namespace stylet::corotational_fem {
-
-namespace {
-
-constexpr double interface_radii = 4.0;    // as LayeredElasticity has it
-
-}    // namespace
 
 // Heights from one end of the ball to the other, turned by the golden angle from one to the next (Vogel 1979), at radii that fill
 // it evenly: no two points meet an interface at once.
@@ -22,7 +18,8 @@ RegionsFelt::RegionsFelt(const Mesh& mesh, const Locator& locator, const std::ve
         const double angle = golden * static_cast<double>(i);
         // Seven and sixty-four have no common factor: neighbours in height lie at different radii.
         const double reach = std::cbrt((static_cast<double>(7 * i % samples_.size()) + 0.5) / count);
-        samples_[i] = interface_radii * radius * reach * Vector3(across * std::cos(angle), across * std::sin(angle), height);
+        samples_[i] = LayeredElasticity::interface_radii * radius * reach *
+                      Vector3(across * std::cos(angle), across * std::sin(angle), height);
     }
 }
 

@@ -12,6 +12,9 @@ namespace stylet {
 /// on either side of each interface, Young's modulus geometrically. A tip that crosses one feels it come.
 class LayeredElasticity {
 public:
+    /// A tip as large as a radius feels an interface from about this many radii away.
+    static constexpr double interface_radii = 4.0;
+
     /// `layers` must outlive it; `radius` of the needle [m], zero where there is none.
     LayeredElasticity(const std::vector<Layer>& layers, double radius)
         : layers_(layers), half_width_(std::max(sharp, interface_radii * radius)) {}
@@ -35,8 +38,6 @@ public:
     }
 
 private:
-    // A tip as large as a radius feels an interface from about this many radii away.
-    static constexpr double interface_radii = 4.0;
     static constexpr double sharp = 1e-9;    // [m] half the blend where there is no needle to feel it
 
     /// Calls visit(above, below, share) with how much of the step from one layer to the next is felt at `depth`.
