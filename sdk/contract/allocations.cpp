@@ -4,7 +4,12 @@
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define STYLET_SANITIZER_ALLOCATES 1
-#else
+#elif defined(__clang__)    // tells it otherwise than g++
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define STYLET_SANITIZER_ALLOCATES 1
+#endif
+#endif
+#ifndef STYLET_SANITIZER_ALLOCATES
 #include <cerrno>
 #include <cstdlib>
 #endif
