@@ -26,8 +26,8 @@ std::vector<std::string> columns_of(const Measure& measure) {
 
 class Planning {
 public:
-    Planning(const Study& study, const core::PluginFolders& folders, const std::string& processor)
-        : study_(study), folders_(folders), processor_(processor) {}
+    Planning(const Study& study, const core::PluginFolders& folders, const std::string& processor, const std::atomic<bool>* stop)
+        : study_(study), folders_(folders), processor_(processor), stop_(stop) {}
 
     Plan plan() {
         plan_.settings = settings_of(study_);
@@ -80,6 +80,7 @@ private:
                                      const std::string& name) {
         std::vector<std::size_t> jobs;
         for (const Case& one : study_.cases) {
+            if (stop_ != nullptr && *stop_) break;
             const std::string named = one.name.empty() ? name : fmt::format("{}, {}", name, one.name);
             errors_.gather([&] { jobs.push_back(job_of(one.scene.value_or(scene), joined(changes, one.changes), named)); });
         }
@@ -140,6 +141,7 @@ private:
     const Study& study_;
     const core::PluginFolders& folders_;
     const std::string& processor_;
+    const std::atomic<bool>* stop_;
     Plan plan_{};
     GatheredErrors errors_;
     std::map<std::string, std::size_t> by_key_;
@@ -147,8 +149,9 @@ private:
 
 }    // namespace
 
-Plan plan_of(const Study& study, const core::PluginFolders& folders, const std::string& processor) {
-    return Planning(study, folders, processor).plan();
+Plan plan_of(const Study& study, const core::PluginFolders& folders, const std::string& processor,
+             const std::atomic<bool>* stop) {
+    return Planning(study, folders, processor, stop).plan();
 }
 
 }    // namespace stylet::study

@@ -84,6 +84,13 @@ std::optional<double> number_in(std::string_view cell) {
     return whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
+/// How many of the SI unit one of `unit` is; nothing where it measures something else.
+std::optional<double> scale_of(const std::string& unit, const std::string& si) {
+    if (unit == si) return 1.0;
+    const core::Quantity one = core::read_quantity("1 " + unit, si);
+    return one.problem.empty() ? std::optional(one.value) : std::nullopt;
+}
+
 /// A header's cell: "travel [mm]".
 struct Heading {
     std::string name;
@@ -96,12 +103,8 @@ struct Heading {
         unit = has_unit ? cell.substr(bracket + 2, cell.size() - bracket - 3) : "1";
     }
 
-    /// How many of the SI unit one of it is; nothing where it measures something else.
-    [[nodiscard]] std::optional<double> scale(const std::string& si) const {
-        if (unit == si) return 1.0;
-        const core::Quantity one = core::read_quantity("1 " + unit, si);
-        return one.problem.empty() ? std::optional(one.value) : std::nullopt;
-    }
+    /// Of the SI unit; nothing where it measures something else.
+    [[nodiscard]] std::optional<double> scale(const std::string& si) const { return scale_of(unit, si); }
 };
 
 std::string with_unit(const std::string& name, const std::string& unit) {
@@ -133,8 +136,22 @@ CurveColumn find_column(const Rows& rows, const std::string& name) {
     rows.refuse_line(fmt::format("a header with {}", core::quote(with_unit(name, unit))));
 }
 
+/// In SI, whoever has worked on the recording since.
+std::vector<double> values_of(const Recording& recording, const std::string& name) {
+    const RecordedColumn& column = recording.column(name);
+    const std::string unit = unit_of_column(name), found = column.unit.empty() ? "1" : column.unit;
+    const auto scale = scale_of(found, unit);
+    if (!scale) {
+        throw Error(fmt::format("{}: found {}, wanted a unit of {}, such as {}", recording.file.string(),
+                                core::quote(with_unit(name, found)), name, core::quote(with_unit(name, unit))));
+    }
+    std::vector<double> values = column.values;
+    for (double& value : values) value *= *scale;
+    return values;
+}
+
 Outcome curve_of(const Recording& recording, const CurveMeasure& measure) {
-    return {.x = recording.column(measure.over).values, .y = recording.column(measure.column).values};
+    return {.x = values_of(recording, measure.over), .y = values_of(recording, measure.column)};
 }
 
 }    // namespace

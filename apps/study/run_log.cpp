@@ -48,23 +48,24 @@ Outcome to_outcome(const Json& json) {
 
 }    // namespace
 
-RunLog::RunLog(const std::filesystem::path& file, bool forget) : file_(file) {
+RunLog::RunLog(const std::filesystem::path& file, bool forget) : file_(file), lock_(file) {
     if (file.empty()) return;
-    bool whole = true;    // the last line ends
-    if (!forget) {
-        std::ifstream earlier(file);
-        for (std::string line; std::getline(earlier, line);) {
-            whole = !earlier.eof();
-            const Json json = Json::parse(line, nullptr, false);
-            try {
-                if (json.is_object()) known_.insert_or_assign(json.at("key").get<std::string>(), to_outcome(json));
-            } catch (const Json::exception&) {    // another version's line: measured again
-            }
+    if (!forget) read_earlier();
+    stream_.open(file, forget ? std::ios::trunc : std::ios::app);
+    if (!whole_) stream_ << '\n';
+    if (!stream_) refuse(file);
+}
+
+void RunLog::read_earlier() {
+    std::ifstream earlier(file_);
+    for (std::string line; std::getline(earlier, line);) {
+        whole_ = !earlier.eof();
+        const Json json = Json::parse(line, nullptr, false);
+        try {
+            if (json.is_object()) known_.insert_or_assign(json.at("key").get<std::string>(), to_outcome(json));
+        } catch (const Json::exception&) {    // another version's line: measured again
         }
     }
-    stream_.open(file, forget ? std::ios::trunc : std::ios::app);
-    if (!whole) stream_ << '\n';
-    if (!stream_) refuse(file);
 }
 
 const Outcome* RunLog::find(const std::string& key) const {

@@ -1,6 +1,7 @@
 // What a study has measured so far, so that it goes on where it was stopped.
 #pragma once
 
+#include "apps/study/file_lock.h"
 #include "apps/study/outcome.h"
 
 #include <filesystem>
@@ -15,7 +16,8 @@ namespace stylet::study {
 /// kill, are as if they were not there.
 class RunLog {
 public:
-    /// Without a file nothing is kept; what it has may be forgotten. Throws std::system_error where it cannot be written.
+    /// Without a file nothing is kept; what it has may be forgotten. Throws Error where another study is at it, std::system_error
+    /// where it cannot be written.
     RunLog(const std::filesystem::path& file, bool forget);
 
     /// nullptr where it has none, or one that was timed while the machine had other work: it may be quiet now.
@@ -25,9 +27,13 @@ public:
     void add(const std::string& key, const std::string& name, const Outcome& outcome);
 
 private:
-    std::map<std::string, Outcome> known_;
-    std::ofstream stream_;
+    void read_earlier();
+
     std::filesystem::path file_;
+    FileLock lock_;
+    std::map<std::string, Outcome> known_;
+    bool whole_ = true;    // the last line ends
+    std::ofstream stream_;
     std::mutex mutex_;
 };
 

@@ -1,5 +1,7 @@
 #include "apps/study/run_observer.h"
 
+#include "core/scene/suggestion.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,6 +22,13 @@ double at_event(const core::Event& event, const core::Sample& sample, double cor
     if (column == &core::Sample::depth) return event.depth;
     if (column == &core::Sample::hand_force) return event.hand_force;
     return sample.*column;
+}
+
+/// "never punctred; did you mean 'punctured'?", of what did happen.
+std::string never(const std::string& wanted, const core::RunReport& report) {
+    std::vector<std::string> happened;
+    for (const core::EventReport& event : report.events) happened.push_back(event.name);
+    return fmt::format("never {}{}", wanted, core::suggestion(wanted, happened));
 }
 
 }    // namespace
@@ -64,7 +73,7 @@ double RunObserver::last_value(const core::RunReport& report) const {
 Outcome RunObserver::finish(const core::RunReport& report) {
     if (std::holds_alternative<ValueMeasure>(measure_)) outcome_.y = {last_value(report)};
     if (const auto* event = std::get_if<EventMeasure>(&measure_); event != nullptr && outcome_.y.empty())
-        outcome_.missing = fmt::format("never {}", event->event);
+        outcome_.missing = never(event->event, report);
     outcome_.remarks = remarks_of(report);
     outcome_.punctured = std::ranges::find(report.events, "punctured", &core::EventReport::name) != report.events.end();
     const auto fault =

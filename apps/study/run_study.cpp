@@ -124,7 +124,9 @@ Result run_study(const Study& study, const Options& options) {
     const auto* run = std::get_if<ReferenceRun>(&study.reference);
     result.own_references = run != nullptr && run->of != ReferenceRun::Of::scene;
     if (study.split) result.split = {study.split->name, study.split->rest};
-    const Plan plan = plan_of(study, options.folders, result.machine.processor);
+    const Plan plan = plan_of(study, options.folders, result.machine.processor, options.stop);
+    result.stopped = options.stop != nullptr && *options.stop;
+    if (result.stopped) return result;
     const KnownAnswers known(study, plan);
     const auto outcomes = measure_all(plan, study.timed != Timed::nothing, options);
     const Comparing comparing(study, plan, known, outcomes);

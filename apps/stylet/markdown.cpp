@@ -5,7 +5,7 @@
 namespace stylet::app {
 
 std::string markdown(const std::string& text) {
-    constexpr std::string_view markup = "\\*<|";
+    constexpr std::string_view markup = "\\*<";
     std::string escaped;
     bool code = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -16,6 +16,15 @@ std::string markdown(const std::string& text) {
         if (c == '`' && !lone_backtick) code = !code;
         if (!code && (markup.find(c) != std::string_view::npos || lone_backtick || heading || link)) escaped += '\\';
         escaped += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    }
+    return escaped;
+}
+
+std::string markdown_cell(const std::string& text) {
+    std::string escaped;
+    for (const char c : markdown(text)) {
+        if (c == '|') escaped += '\\';
+        escaped += c;
     }
     return escaped;
 }

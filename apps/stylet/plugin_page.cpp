@@ -21,8 +21,8 @@ std::string sentence(const std::string& text) {
 void add_rows(ParameterList parameters, const std::string& path, std::string& rows) {
     for (const Parameter& parameter : parameters) {
         const std::string name = path + parameter.name;
-        rows += fmt::format("| `{}` | {} | {} | {} | {} |\n", name, markdown(kind_text(parameter)),
-                            markdown(range_text(parameter)), need_text(parameter), markdown(meaning_text(parameter)));
+        rows += fmt::format("| `{}` | {} | {} | {} | {} |\n", name, markdown_cell(kind_text(parameter)),
+                            markdown_cell(range_text(parameter)), need_text(parameter), markdown_cell(meaning_text(parameter)));
         add_rows(fields_of(parameter), name + "[].", rows);
     }
 }

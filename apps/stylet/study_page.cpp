@@ -24,12 +24,12 @@ std::string table(const Result& result) {
     const StudyTable filled = study_table(result);
     std::string names = "|", rules = "|", rows;
     for (const StudyColumn& column : filled.columns) {
-        names += fmt::format(" {} |", markdown(column.group + (column.group.empty() ? "" : ", ") + column.name));
+        names += fmt::format(" {} |", markdown_cell(column.group + (column.group.empty() ? "" : ", ") + column.name));
         rules += column.align == Table::Align::right ? "---:|" : "---|";
     }
     for (const std::vector<std::string>& row : filled.rows) {
         rows += "|";
-        for (const std::string& cell : row) rows += fmt::format(" {} |", markdown(cell));
+        for (const std::string& cell : row) rows += fmt::format(" {} |", markdown_cell(cell));
         rows += "\n";
     }
     return names + "\n" + rules + "\n" + rows + "\n";
@@ -42,8 +42,8 @@ std::string orders(const Result& result) {
         "By least squares of logarithms, error ~ key^order, of the points above the error named.\n\n"
         "| series | key | order | points | above |\n|---|---|---:|---:|---:|\n";
     for (const study::FittedOrder& order : result.orders) {
-        text += fmt::format("| {} | `{}` | {:.2f} | {} | {} |\n", markdown(order.series), order.key, order.order, order.points,
-                            markdown(error_text(order.least_error)));
+        text += fmt::format("| {} | {} | {:.2f} | {} | {} |\n", markdown_cell(order.series), markdown_cell('`' + order.key + '`'),
+                            order.order, order.points, markdown_cell(error_text(order.least_error)));
     }
     return text + "\n";
 }

@@ -228,7 +228,7 @@ repetitions: 2
 
 TEST(Study, SaysOfASettingThatItNeverDidWhatIsMeasured) {
     const StudyBench bench;
-    const Outcome outcome = study(bench, R"(stylet: 1
+    std::string text = R"(stylet: 1
 title: Puncture
 scene: gel.yaml
 set: {device.motion: [{insert: 60 mm, speed: 100 mm/s}]}
@@ -236,7 +236,8 @@ series: [{name: as it is}, {name: tough, set: {"effects[0].rupture_force": 9 N}}
 measure: {event: punctured, column: hand_force}
 reference: {table: known.csv}
 time: nothing
-)");
+)";
+    const Outcome outcome = study(bench, text);
     EXPECT_EQ(outcome.code, 2) << "the table is not there yet";
     EXPECT_THAT(outcome.err, AllOf(HasSubstr("study.yaml:7:"), HasSubstr("reference.table"), HasSubstr("'known.csv'")));
 
@@ -248,6 +249,9 @@ time: nothing
     constexpr double rounding = 1e-12;
     EXPECT_LT(std::stod(rows[0].at("error [1]")), rounding);
     EXPECT_EQ(rows[1].at("error [1]"), "inf");
+
+    text.replace(text.find("punctured"), 9, "puntcured");
+    EXPECT_THAT(study(bench, text).out, HasSubstr("never puntcured; did you mean 'punctured'?"));
 }
 
 TEST(Study, DrawsTheSameCasesFromTheSameSeed) {

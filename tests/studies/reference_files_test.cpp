@@ -79,6 +79,9 @@ TEST_F(ReferenceFiles, HoldACurveAsARecordingWroteIt) {
         "\n0.3,0.00");
     EXPECT_THAT(found.x, ElementsAre(0.0, 0.001, 0.002)) << "without the row that a killed run cut off";
     EXPECT_THAT(found.y, ElementsAre(0.0, 0.25, 0.5));
+    EXPECT_THAT(curve("# stylet recording 1\ntravel [mm],hand_force [mN],event\n1,250,\n").y, ElementsAre(0.25)) << "in SI";
+    EXPECT_EQ(curve_refusal("# stylet recording 1\ntravel [s],hand_force [N],event\n1,2,\n"),
+              "known.csv: found 'travel [s]', wanted a unit of travel, such as 'travel [m]'");
     write("# stylet recording 1\ntime [s],event\n0,\n");
     EXPECT_THROW((void)curve_file(file(), force_over_travel), Error);
     EXPECT_TRUE(is_recording(file()));

@@ -3,6 +3,9 @@
 
 #include "apps/study/timing.h"
 
+#include <stylet/error.h>
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -56,6 +59,17 @@ TEST_F(RunLogTest, PassesOverWhatIsNoLineOfItsOwn) {
     const RunLog log(file_, false);
     EXPECT_NE(log.find("key"), nullptr) << "the line before it had no end";
     EXPECT_EQ(log.find("torn"), nullptr);
+}
+
+TEST_F(RunLogTest, IsOneStudysAtATime) {
+    const RunLog first(file_, false);
+    try {
+        const RunLog second(file_, true);
+        FAIL() << "two at once";
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), testing::EndsWith("stylet_run_log_test.jsonl: found another study at work on it, wanted one at a "
+                                                    "time: wait for it, or name another folder"));
+    }
 }
 
 TEST_F(RunLogTest, ForgetsWhereItShall) {

@@ -38,7 +38,8 @@ std::vector<std::size_t> row_widths(const std::string& page) {
 }
 
 TEST(Markdown, EscapesWhatWouldBeMarkupButNotCode) {
-    EXPECT_EQ(app::markdown("a*b|c<d\\"), "a\\*b\\|c\\<d\\\\");
+    EXPECT_EQ(app::markdown("a*b|c<d\\"), "a\\*b|c\\<d\\\\");
+    EXPECT_EQ(app::markdown_cell("`a|b` c|d"), "`a\\|b` c\\|d") << "a bar would end the cell";
     EXPECT_EQ(app::markdown("`a*b` and c*d"), "`a*b` and c\\*d");
     EXPECT_EQ(app::markdown("a lone ` and c*d"), "a lone \\` and c\\*d");
     EXPECT_EQ(app::markdown("two\nlines"), "two lines");
