@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -13,14 +14,16 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* examples =
-    R"(Draws the hand's force against the tip's depth, with the events marked and named, as STEM.svg and STEM.png. Several
-recordings share one picture, with the recordings' titles as the legend. Any two recorded columns can be the axes: travel,
-depth, inserted, time; hand_force, tip_force, friction_force, critical_load, deflection, hand_work, ...
+    R"(Draws the hand's force against the tip's depth, with the events marked and named, as STEM.svg and STEM.png; of a tissue alone
+how far its loaded patch moves in time. Several recordings share one picture, with the recordings' titles as the legend. Any two
+recorded columns can be the axes: travel, depth, inserted, time; hand_force, tip_force, friction_force, critical_load, deflection,
+hand_work, ...
 
 Examples:
   stylet plot out/fig9.csv
   stylet plot out/fig10a_l*.csv --x travel --out out/fig10a
   stylet plot out/fig9.csv --x time --y deflection --title 'How far the needle bows'
+  stylet plot out/block_m2.csv
 
 Exit codes: 0 ok, 2 a recording is wrong or lacks a column, 3 wrong command line, 4 gnuplot is missing or a file cannot be
 written.)";
@@ -28,8 +31,7 @@ written.)";
 struct PlotArguments {
     std::vector<std::string> recordings;
     std::string out;
-    std::string x = "depth";
-    std::string y = "hand_force";
+    std::string x, y;    // empty: what the recordings have
     std::optional<std::string> title;
 };
 
@@ -40,10 +42,23 @@ fs::path stem_of(const PlotArguments& arguments) {
     return out.extension() == ".svg" || out.extension() == ".png" ? fs::path(out).replace_extension() : out;
 }
 
+/// The first of these columns that every recording has; the first of all where there is none.
+std::string first_there(const std::vector<std::string>& columns, const std::vector<study::Recording>& recordings) {
+    const auto there = [&](const std::string& column) {
+        return std::ranges::all_of(recordings, [&](const study::Recording& recording) {
+            return std::ranges::find(recording.columns, column, &study::RecordedColumn::name) != recording.columns.end();
+        });
+    };
+    const auto found = std::ranges::find_if(columns, there);
+    return found == columns.end() ? columns.front() : *found;
+}
+
 ExitCode plot(const PlotArguments& arguments) {
     std::vector<study::Recording> recordings;
     for (const std::string& file : arguments.recordings) recordings.push_back(study::read_recording(file));
-    Figure figure = figure_of(recordings, arguments.x, arguments.y);
+    const std::string x = arguments.x.empty() ? first_there({"depth", "time"}, recordings) : arguments.x;
+    const std::string y = arguments.y.empty() ? first_there({"hand_force", "patch_displacement"}, recordings) : arguments.y;
+    Figure figure = figure_of(recordings, x, y);
     if (arguments.title) figure.title = *arguments.title;
     const PictureFiles files = draw(figure, stem_of(arguments));
     fmt::print("{}\n{}\n", files.svg.string(), files.png.string());
@@ -61,8 +76,12 @@ Command plot_command(CLI::App& line) {
         ->type_name("FILE");
     options->add_option("--out", arguments->out, "Beginning of the pictures' names; without it, the first recording's")
         ->type_name("STEM");
-    options->add_option("--x", arguments->x, "Column for the horizontal axis")->type_name("COLUMN")->capture_default_str();
-    options->add_option("--y", arguments->y, "Column for the vertical axis")->type_name("COLUMN")->capture_default_str();
+    options->add_option("--x", arguments->x, "Column for the horizontal axis; without it depth, or time where there is no needle")
+        ->type_name("COLUMN");
+    options
+        ->add_option("--y", arguments->y,
+                     "Column for the vertical axis; without it hand_force, or patch_displacement where there is no needle")
+        ->type_name("COLUMN");
     options
         ->add_option("--title", arguments->title, "Title above the picture; without it, a single recording's title. Empty: none")
         ->type_name("TEXT");

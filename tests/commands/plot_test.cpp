@@ -53,6 +53,16 @@ TEST(Plot, DrawsSvgAndPngBesideTheRecording) {
         EXPECT_THAT(svg, HasSubstr(text));
 }
 
+TEST(Plot, DrawsHowATissueAloneMovesInTime) {
+    const Bench bench;
+    bench.write("block.csv", heading + std::string("A block\ntime [s],patch_displacement [m],residual [J],event\n"
+                                                   "0.001,0.0002,0,\n0.002,0.0004,0,\n0.003,0.0005,0,\n"));
+    const Outcome plot = bench.stylet({"plot", "block.csv"});
+    EXPECT_EQ(plot.code, 0) << plot.err;
+    const std::string svg = bench.read("block.svg");
+    for (const char* text : {"A block", "Time (ms)", "Patch displacement (mm)"}) EXPECT_THAT(svg, HasSubstr(text));
+}
+
 TEST(Plot, PutsSeveralRecordingsIntoOnePictureWithALegendOfWhatDiffers) {
     const Bench bench;
     bench.write("a.csv", recording("Fig. 1: L = 150 mm", 0.7));
