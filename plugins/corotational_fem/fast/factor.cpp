@@ -2,7 +2,10 @@
 
 #include <stylet/error.h>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <sstream>
 
 namespace stylet::corotational_fem {
 
@@ -11,6 +14,21 @@ namespace {
 // A pivot that has shrunk to this part of what it was is rounding alone: eliminating some 10⁴ unknowns leaves errors of about 100
 // units in the last place (2·10⁻¹⁶), while the softest motion of a tissue whose layers differ by 10⁶ leaves 10⁻¹⁰.
 constexpr double rounding = 1e-13;
+
+// The rest is for fronts, and for what the blocks are copied to.
+std::size_t half_of_memory() {
+    return static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) / 2 * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+void refuse_size(std::size_t bytes) {
+    if (bytes <= half_of_memory()) return;
+    constexpr double giga = 1e9;
+    std::ostringstream text;
+    text.precision(2);
+    text << std::fixed << "found a mesh whose factor takes " << static_cast<double>(bytes) / giga << " GB, wanted one of at most "
+         << static_cast<double>(half_of_memory()) / giga << " GB, half of this machine's memory: a coarser one";
+    throw Error(text.str());
+}
 
 }    // namespace
 
@@ -27,6 +45,7 @@ Factor::Factor(const Dissection& dissection, InstructionSet set)
         at_.push_back(count);
         count += std::size_t{9} * supernode.size * (supernode.size + supernode.rows);
     }
+    refuse_size(count * sizeof(double));
     values_.resize(count);
 }
 

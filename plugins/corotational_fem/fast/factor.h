@@ -17,7 +17,7 @@ namespace stylet::corotational_fem {
 /// is a solve. Vectors are in places (Dissection), x, y, z of each.
 class Factor {
 public:
-    /// Holds on to the dissection.
+    /// Holds on to the dissection. Throws stylet::Error where the blocks would take more than half of the machine's memory.
     explicit Factor(const Dissection& dissection, InstructionSet set = best_instruction_set());
 
     /// Takes these values. Throws stylet::Error "singular: …" where the matrix is not positive definite, to the accuracy of

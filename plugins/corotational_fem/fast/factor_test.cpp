@@ -51,6 +51,18 @@ TEST(Factor, SolvesLayersAMillionTimesAsStiff) {
     EXPECT_LT(error_against_eigen(rest_matrix(mesh, std::vector{stiff, soft}, quasi_static())), accuracy_of_contrast);
 }
 
+TEST(Factor, RefusesWhatTheMachineHasNoRoomFor) {
+    Dissection d;
+    d.supernodes = {{.first = 0, .size = 1'000'000, .rows_begin = 0, .rows = 0}};
+    try {
+        const Factor factor(d);
+        FAIL() << "72 TB are room for nothing";
+    } catch (const Error& error) {
+        const std::string found = error.what();
+        EXPECT_EQ(found.rfind("found a mesh whose factor takes 72000.00 GB, wanted one of at most ", 0), 0u) << found;
+    }
+}
+
 TEST(Factor, TakesNewValues) {
     const Mesh mesh = uneven_block({6, 5, 4});
     const BlockMatrix once = rest_matrix(mesh, alike(elastic(25e3, 0.49, 1000.0)), quasi_static());
