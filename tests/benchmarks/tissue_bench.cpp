@@ -200,6 +200,15 @@ std::vector<ContactPoint> needle_points(double depth) {
     return points;
 }
 
+/// Of a needle that cuts and rubs: the piece that grows rubs more each time.
+VectorX needle_forces(const std::vector<ContactPoint>& points) {
+    constexpr double cutting = 0.3, friction = 5.0;    // [N], [N/m]
+    VectorX forces = VectorX::Zero(3 * static_cast<Eigen::Index>(points.size()));
+    for (std::size_t i = 0; i < points.size(); ++i)
+        forces[3 * static_cast<Eigen::Index>(i) + 2] = points[i].tip ? -cutting : -friction * points[i].span.norm();
+    return forces;
+}
+
 void contact_row(const PluginFolders& folders, Workers& workers) {
     constexpr double dt = 1e-3, speed = 10e-3, start = 96e-3;    // [s], [m/s], [m]
     const Scene scene =
@@ -208,15 +217,16 @@ void contact_row(const PluginFolders& folders, Workers& workers) {
     const Cast cast(scene, folders, workers);
     TissueModel& tissue = cast.tissue();
     std::vector<double> answers, ticks;    // [µs]
+    VectorX forces = needle_forces(needle_points(start));
     for (int i = 0; i < steps; ++i) {
         const std::vector<ContactPoint> points = needle_points(start + i * speed * dt);
-        VectorX forces = VectorX::Zero(3 * static_cast<Eigen::Index>(points.size()));
-        for (Eigen::Index k = 2; k < forces.size(); k += 3) forces[k] = k == 2 ? -0.3 : -0.025;
+        const VectorX before = forces;
+        forces = needle_forces(points);
         const auto begin = Clock::now();
         tissue.predict(0.0);
         (void)tissue.linearise(points, 0.0);
         const double answer = 1e6 * seconds_since(begin);
-        (void)tissue.try_step(points, {forces.data(), forces.size()});
+        (void)tissue.try_step(points, {before.data(), before.size()});
         tissue.predict(dt);
         for (int trial = 0; trial < 100; ++trial) {
             (void)tissue.linearise(points, 0.0);

@@ -194,6 +194,10 @@ void Panels::forward(const Float4* rhs, Workers& workers) {
     }
 }
 
+void Panels::clear() {
+    std::fill(loads_.begin(), loads_.end(), Line{});
+}
+
 void Panels::backward(Float4* x, Workers& workers) {
     workers.each(static_cast<int>(shares_.size()), [this](int task) { multiply(shares_[task]); });
     for (auto stage = stages_.rbegin(); stage != stages_.rend(); ++stage) {
@@ -224,10 +228,16 @@ void Panels::sweep(int g, const Float4* rhs) {
     }
 }
 
+// Forces on contacts alone reach few supernodes.
+bool Panels::unloaded(const Part& part) {
+    return std::all_of(loads(part), loads(part) + part.own_tiles * lanes, [](float load) { return load == 0.0F; });
+}
+
 void Panels::multiply(const Share& s) {
     const Part& part = parts_[s.supernode];
     float* const answer = reinterpret_cast<float*>(answers_.data() + s.answer);
     std::fill_n(answer, part.own_tiles * lanes, 0.0F);
+    if (unloaded(part)) return;
     products_.symmetric(blocks_.at(part.inverse), part.own_tiles, s.first, s.last, loads(part), answer);
 }
 
@@ -245,7 +255,7 @@ void Panels::substitute(int g, Float4* x) {
             nodes_.data(), supernode.rows, [slots](int i) { return slots[i]; }, rows);
         std::fill(rows + 3 * supernode.rows, own, 0.0F);
         std::fill_n(own, part.own_tiles * lanes, 0.0F);
-        if (part.shares == 0) {
+        if (part.shares == 0 && !unloaded(part)) {
             products_.symmetric(blocks_.at(part.inverse), part.own_tiles, 0, part.own_tiles, loads(part), own);
         }
         for (int i = part.begin; i < part.begin + part.shares; ++i) {

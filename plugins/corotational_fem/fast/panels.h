@@ -45,6 +45,9 @@ public:
     /// The first half of a solve: what Reach needs to know of a right-hand side.
     void forward(const Float4* rhs, Workers& workers);
 
+    /// What `forward` leaves of no forces at all.
+    void clear();
+
     /// The second half: x of what `forward` left, and of the forces on footprints added since. May be called again.
     void backward(Float4* x, Workers& workers);
 
@@ -89,6 +92,7 @@ private:
     [[nodiscard]] int slot(int group, int place) const;
     void pack(const Factor& factor);
     void sweep(int group, const Float4* rhs);
+    [[nodiscard]] bool unloaded(const Part& part);
     void multiply(const Share& share);
     void substitute(int group, Float4* x);
     [[nodiscard]] float* loads(const Part& part) { return reinterpret_cast<float*>(loads_.data() + part.load); }

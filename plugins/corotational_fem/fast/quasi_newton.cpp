@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace stylet::corotational_fem {
 
@@ -66,7 +67,7 @@ QuasiNewton::QuasiNewton(const Mesh& mesh, std::span<const Material> materials, 
       dissection_(dissect(matrix)),
       panels_(factorised(matrix, dissection_, workers, set)),
       elements_(mesh, materials, dissection_.place_of_node, motion.share_pressure, motion.damping_time > 0.0, workers, set),
-      contacts_(*panels_),
+      contacts_(*panels_, workers),
       loops_(dissection_.places(), workers),
       pairs_(loops_),
       nodes_(dissection_.places()),
@@ -107,8 +108,8 @@ void QuasiNewton::load(std::span<const NodeForce> forces) {
     }
 }
 
-// Weight, unless the tissue has inertia and its clock stands still, and the loads.
-void QuasiNewton::gather_loads() {
+// Weight, unless the tissue has inertia and its clock stands still, and the loads. Returns whether they have changed.
+bool QuasiNewton::gather_loads() {
     const bool weighs = !motion_.implicit || trial_.dt > 0.0;
     const Vector3 pull = weighs ? motion_.gravity : Vector3(Vector3::Zero());
     const Quad gravity{static_cast<float>(pull.x()), static_cast<float>(pull.y()), static_cast<float>(pull.z()), 0.0F};
@@ -121,21 +122,23 @@ void QuasiNewton::gather_loads() {
         at = load;
     }
     if (changed) trial_.settled = outer_known_ = false;
+    return changed;
 }
 
 void QuasiNewton::place(int contact, std::span<const NodeWeight> footprint) {
     contacts_.place(contact, footprint);
-    ahead_known_ = false;
+    ahead_known_ = rested_ = false;
     placed_anew_ = true;
     const auto first = trial_.lambda.begin() + 3 * contact;
     if (std::any_of(first, first + 3, [](double force) { return force != 0.0; })) trial_.settled = outer_known_ = false;
 }
 
 void QuasiNewton::predict(double dt) {
+    const bool waits = trial_.settled && std::exchange(polished_, false) && !motion_.implicit && !damped();
     ahead_known_ = false;
     open_books();
     if (dt > 0.0) start_step(dt);
-    gather_loads();
+    rested_ = !gather_loads() && waits && dt > 0.0;
 }
 
 // From the trial state on. It is not moved yet: the pairs know where it is going as well as its inertia does.
@@ -160,7 +163,7 @@ void QuasiNewton::start_step(double dt) {
 void QuasiNewton::linearise(int contacts, Eigen::Ref<VectorX> free, Eigen::Ref<MatrixX, 0, Eigen::OuterStride<>> compliance) {
     set_forces({trial_.lambda.data(), static_cast<std::size_t>(3 * contacts)});
     if (contacts == 0) return;
-    if (!trial_.settled && !ahead_known_) {
+    if (!trial_.settled && !rested_ && !ahead_known_) {
         balance();
         find_direction();
     }
@@ -169,7 +172,7 @@ void QuasiNewton::linearise(int contacts, Eigen::Ref<VectorX> free, Eigen::Ref<M
     free.noalias() = -compliance * lambda;
     for (int i = 0; i < contacts; ++i) {
         free.segment<3>(3 * i) += contacts_.mean(i, x_);
-        if (!trial_.settled) free.segment<3>(3 * i) += contacts_.mean(i, ahead_);
+        if (ahead_known_) free.segment<3>(3 * i) += contacts_.mean(i, ahead_);
     }
 }
 
@@ -181,21 +184,34 @@ void QuasiNewton::set_forces(std::span<const double> lambda) {
     std::copy(lambda.begin(), lambda.end(), trial_.lambda.begin());
     std::fill(trial_.lambda.begin() + static_cast<std::ptrdiff_t>(lambda.size()), trial_.lambda.end(), 0.0);
     trial_.contacts = static_cast<int>(lambda.size()) / 3;
-    if (!same) trial_.settled = ahead_known_ = outer_known_ = false;
+    if (!same) trial_.settled = rested_ = ahead_known_ = outer_known_ = false;
 }
 
-// The step that is known, for other forces on the same contacts: what they add goes through the factor alone, as the compliance
-// that linearise told has it.
-void QuasiNewton::redirect(std::span<const double> lambda) {
+// What other forces on the same contacts add goes through the factor alone, as the compliance that linearise told has it.
+void QuasiNewton::push(std::span<const double> lambda) {
     for (int i = 0; i < trial_.contacts; ++i) {
         const Eigen::Map<const Vector3> force(lambda.data() + 3 * i), before(trial_.lambda.data() + 3 * i);
         contacts_.push(i, answer_scale() * (force - before));
     }
     panels_->backward(q_.data(), workers_);
+}
+
+// The step that is known, for other forces.
+void QuasiNewton::redirect(std::span<const double> lambda) {
+    push(lambda);
     loops_.each([&](int i) { quad(ahead_[i]) += quad(q_[i]) - quad(answer_[i]); });
     set_forces(lambda);
     balance();
     ahead_known_ = true;
+}
+
+// The step from rest: other forces are all that is out of balance, but for what accuracy has left, which may outweigh them.
+void QuasiNewton::head_for(std::span<const double> lambda) {
+    panels_->clear();
+    push(lambda);
+    loops_.each([&](int i) { ahead_[i] = q_[i]; });
+    set_forces(lambda);
+    ahead_known_ = balance() > 0.0;
 }
 
 // Whether other forces on the same contacts would move them by nothing that counts.
@@ -212,10 +228,14 @@ StepReport QuasiNewton::try_step(Forces forces) {
     // What single precision can't hold would stay in the solver's memory for good.
     if (!forces.cast<float>().allFinite()) return {.residual = std::numeric_limits<double>::infinity()};
     const std::span<const double> lambda(forces.data(), static_cast<std::size_t>(forces.size()));
-    if (trial_.settled && same_to_accuracy(lambda)) {
+    if ((trial_.settled || rested_) && same_to_accuracy(lambda)) {
+        trial_.settled = true;
         return {};    // λ stays what the state is in balance with, so that many such changes add up to one that counts
     }
-    if (ahead_known_ && !trial_.settled && lambda.size() == static_cast<std::size_t>(3 * trial_.contacts)) {
+    const bool as_linearised = !trial_.settled && lambda.size() == static_cast<std::size_t>(3 * trial_.contacts);
+    if (as_linearised && rested_) {
+        head_for(lambda);
+    } else if (as_linearised && ahead_known_) {
         if (!std::equal(lambda.begin(), lambda.end(), trial_.lambda.begin())) redirect(lambda);
     } else {
         set_forces(lambda);
@@ -226,6 +246,8 @@ StepReport QuasiNewton::try_step(Forces forces) {
     if (foreseen) foresee();
     last_step_ = 0.0;
     for (int i = 0; i < most_iterations && !trial_.settled; ++i) trial_.settled = iterate();
+    polished_ = trial_.settled;
+    rested_ = false;
     close_books();
     if (!trial_.settled) return {.residual = imbalance()};
     return {.residual = foreseen ? astray() : 0.0};
@@ -252,14 +274,14 @@ double QuasiNewton::astray() {
 
 void QuasiNewton::commit() {
     state_ = trial_;
-    placed_anew_ = false;
+    placed_anew_ = polished_ = rested_ = false;
     pairs_.commit();
 }
 
 void QuasiNewton::rollback() {
     trial_ = state_;
     pairs_.rollback();
-    ahead_known_ = outer_known_ = false;
+    ahead_known_ = outer_known_ = polished_ = rested_ = false;
     if (placed_anew_) trial_.settled = false;
     placed_anew_ = false;
     std::fill(ahead_.begin(), ahead_.end(), Float4{});

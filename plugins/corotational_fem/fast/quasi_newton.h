@@ -35,7 +35,7 @@ namespace stylet::corotational_fem {
 class QuasiNewton final : public Solver {
 public:
     /// `accuracy` in [1e-5, 0.1]. `mesh`, `materials` and `workers` must outlive it. Throws Error where the mesh is held too
-    /// little or a density is missing.
+    /// little, a density is missing, or the machine has no room for the factor.
     QuasiNewton(const Mesh& mesh, std::span<const Material> materials, const Motion& motion, double accuracy, Workers& workers,
                 InstructionSet set = best_instruction_set());
 
@@ -95,7 +95,7 @@ private:
     QuasiNewton(const Mesh& mesh, std::span<const Material> materials, const Motion& motion, double accuracy, Workers& workers,
                 InstructionSet set, const BlockMatrix& matrix);
 
-    void gather_loads();
+    bool gather_loads();
     void set_forces(std::span<const double> lambda);
     void start_step(double dt);
     void start_damper(NodalVector& forces);
@@ -104,6 +104,8 @@ private:
     double balance();
     void find_direction();
     void redirect(std::span<const double> lambda);
+    void head_for(std::span<const double> lambda);
+    void push(std::span<const double> lambda);
     [[nodiscard]] bool same_to_accuracy(std::span<const double> lambda);
     bool iterate();
     [[nodiscard]] Step measure() const;
@@ -150,6 +152,8 @@ private:
     bool ahead_known_ = false;
     double size_ = 0.0;           // [m] of the displacements
     bool placed_anew_ = false;    // a contact, since the last commit
+    bool polished_ = false;       // by an iteration since the last predict, and in balance
+    bool rested_ = false;         // in balance as an iteration left it in this time step: since then only the clock has gone on
     double noise_ = 0.0;          // [m] steps shorter than this are single precision's
     double last_step_ = 0.0;      // [m] of this time step's iteration before, zero in the first
     long long iterations_ = 0;

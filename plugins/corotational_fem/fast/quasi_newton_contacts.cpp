@@ -2,8 +2,12 @@
 
 namespace stylet::corotational_fem {
 
-Contacts::Contacts(Panels& panels)
-    : dissection_(panels.dissection()), placed_(max_contacts), compliance_(MatrixX::Zero(3 * max_contacts, 3 * max_contacts)) {
+Contacts::Contacts(Panels& panels, Workers& workers)
+    : dissection_(panels.dissection()),
+      workers_(workers),
+      placed_(max_contacts),
+      compliance_(MatrixX::Zero(3 * max_contacts, 3 * max_contacts)) {
+    asked_.reserve(max_contacts);
     for (Placed& placed : placed_) placed.footprint.reserve(panels.dissection().place_of_node.size());
     reaches_.reserve(max_contacts);
     for (int i = 0; i < max_contacts; ++i) reaches_.emplace_back(panels);
@@ -15,9 +19,12 @@ void Contacts::place(int contact, std::span<const NodeWeight> footprint) {
 }
 
 void Contacts::answer(int contacts) {
+    asked_.clear();
     for (int i = 0; i < contacts; ++i) {
-        if (placed_[i].answered) continue;
-        reaches_[i].sweep(placed_[i].footprint);
+        if (!placed_[i].answered) asked_.push_back(i);
+    }
+    workers_.each(static_cast<int>(asked_.size()), [&](int k) { reaches_[asked_[k]].sweep(placed_[asked_[k]].footprint); });
+    for (const int i : asked_) {
         placed_[i].answered = true;
         for (int j = 0; j < max_contacts; ++j) {
             if (!placed_[j].answered) continue;

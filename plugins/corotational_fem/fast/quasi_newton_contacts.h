@@ -16,8 +16,8 @@ namespace stylet::corotational_fem {
 /// Jᵀ. A footprint's part of W is worked out when it is first asked for, and holds until that contact is placed anew.
 class Contacts {
 public:
-    /// The panels must outlive it.
-    explicit Contacts(Panels& panels);
+    /// Panels and workers must outlive it.
+    Contacts(Panels& panels, Workers& workers);
 
     void place(int contact, std::span<const NodeWeight> footprint);
 
@@ -45,7 +45,9 @@ private:
     void answer(int contacts);
 
     const Dissection& dissection_;
+    Workers& workers_;
     std::vector<Placed> placed_;
+    std::vector<int> asked_;    // contacts without their part of W
     std::vector<Reach> reaches_;
     MatrixX compliance_;
 };

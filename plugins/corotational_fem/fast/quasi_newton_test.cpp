@@ -353,6 +353,46 @@ TEST(QuasiNewton, DoesNoWorkTwice) {
     EXPECT_LT((free + compliance * forces - mean).norm(), 1e-6 * mean.norm());
 }
 
+// As core takes a step: a contact moves on under its old force, and then has another one.
+TEST(QuasiNewton, GoesOnFromRestWhereItsComplianceSays) {
+    constexpr double aim = 1e-3;    // of displacements: what a step leaves is made up for as the contact moves on again
+    constexpr int ticks = 20;
+    const Block block;
+    Motion motion = falling(1e-3);
+    motion.implicit = false;
+    QuasiNewton fast(block.mesh, block.materials, motion, aim, one_thread());
+    Newton plain(block.mesh, block.materials, motion);
+    VectorX force = Vector3(0.0, 0.0, -0.2), free(3);
+    MatrixX compliance(3, 3);
+    double worst = 0.0;
+    for (int i = 0; i < ticks; ++i) {
+        const double gone = static_cast<double>(i) / ticks;
+        std::vector<NodeWeight> footprint = block.footprint(0);
+        footprint[0].weight -= 0.2 * gone;
+        footprint[1].weight += 0.2 * gone;
+        for (Solver* each : {static_cast<Solver*>(&fast), static_cast<Solver*>(&plain)}) {
+            each->place(0, footprint);
+            each->predict(0.0);
+            solve(*each, Forces(force.data(), 3));
+            each->predict(motion.dt);
+        }
+        force = Vector3(0.01 * gone, 0.0, -0.2 - 0.04 * gone);    // [N] in steps of a hundredth: one iteration each
+        const long long before = fast.iterations();
+        fast.linearise(1, free, compliance);
+        EXPECT_EQ(fast.try_step(Forces(force.data(), 3)).residual, 0.0) << i;
+        EXPECT_LE(fast.iterations(), before + 1) << i;
+        Vector3 mean = Vector3::Zero();
+        for (const auto& [node, weight] : footprint) mean += weight * fast.displacement(node);
+        EXPECT_LT((free + compliance * force - mean).norm(), 1e-6 * mean.norm()) << i;
+        solve(plain, Forces(force.data(), 3));
+        fast.commit();
+        plain.commit();
+        worst = std::max(worst, difference(block.mesh, fast, plain));
+    }
+    std::printf("  at worst %.1e of Newton's displacements off, aimed at %.0e\n", worst, aim);
+    EXPECT_LT(worst, aim);
+}
+
 TEST(QuasiNewton, TakesTheLastStepAgainWithOtherForces) {
     const Block block;
     const Motion motion = falling(1e-3);
