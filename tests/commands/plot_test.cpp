@@ -60,7 +60,7 @@ TEST(Plot, DrawsHowATissueAloneMovesInTime) {
     const Outcome plot = bench.stylet({"plot", "block.csv"});
     EXPECT_EQ(plot.code, 0) << plot.err;
     const std::string svg = bench.read("block.svg");
-    for (const char* text : {"A block", "Time (ms)", "Patch displacement (mm)"}) EXPECT_THAT(svg, HasSubstr(text));
+    for (const char* text : {"A block", "Time (s)", "Patch displacement (mm)"}) EXPECT_THAT(svg, HasSubstr(text));
 }
 
 TEST(Plot, PutsSeveralRecordingsIntoOnePictureWithALegendOfWhatDiffers) {
