@@ -18,8 +18,8 @@ struct Plan {
     std::vector<std::vector<std::size_t>> twins;         // empty where the error is not split
 };
 
-/// Reads every scene. Throws core::SceneErrors with all that is wrong with any of them. Once `stop` is set it soon ends, and what it
-/// gives is no whole plan.
+/// Reads every scene. Throws core::SceneErrors with all that is wrong with any of them. Once `stop` is set it soon ends, and what
+/// it gives is no whole plan.
 [[nodiscard]] Plan plan_of(const Study& study, const core::PluginFolders& folders, const std::string& processor,
                            const std::atomic<bool>* stop = nullptr);
 

@@ -66,7 +66,10 @@ TEST(Advise, TellsWhatItMeasuredAgainstWhatAndWhatToTake) {
     EXPECT_THAT(advice.out, ContainsRegex("reference +rod with needle.rod.nodes=81 \\("));
     EXPECT_THAT(advice.out, ContainsRegex("beam_column, euler \\(the scene\\) +[0-9.]+ % "));
     EXPECT_THAT(advice.out, ContainsRegex("    run.rate=500 Hz .*not to be taken: the rate is the hand's"));
-    EXPECT_THAT(advice.out, ContainsRegex("  Take [a-z_, ]+: [0-9.e-]+ % off, .* a tick, (99 of 100 ticks within|by the median: the machine was busy)"));
+    EXPECT_THAT(
+        advice.out,
+        ContainsRegex(
+            "  Take [a-z_, ]+: [0-9.e-]+ % off, .* a tick, (99 of 100 ticks within|by the median: the machine was busy)"));
     EXPECT_THAT(advice.out, ContainsRegex("\n  effects\\[0\\] pin +[^ ].* % +.* N\n"));
 }
 

@@ -67,8 +67,9 @@ TEST_F(RunLogTest, IsOneStudysAtATime) {
         const RunLog second(file_, true);
         FAIL() << "two at once";
     } catch (const Error& error) {
-        EXPECT_THAT(error.what(), testing::EndsWith("stylet_run_log_test.jsonl: found another study at work on it, wanted one at a "
-                                                    "time: wait for it, or name another folder"));
+        EXPECT_THAT(error.what(),
+                    testing::EndsWith("stylet_run_log_test.jsonl: found another study at work on it, wanted one at a "
+                                      "time: wait for it, or name another folder"));
     }
 }
 
