@@ -3,20 +3,14 @@
 # NAME_test.cpp exists, builds that too, with the SOURCES, the contract tests and GoogleTest.
 function(stylet_add_plugin name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
-  add_library(${name} MODULE ${name}.cpp)
+  add_library(${name} MODULE ${name}.cpp ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE Stylet::sdk ${arg_LIBRARIES})
-  stylet_compile_for_plugin(${name})
+  # g++'s unique symbols (one std::to_string is enough) would keep a library mapped after core has closed it. A sum that is regrouped or
+  # fused differently in two builds would break "same scene, same recording".
+  target_compile_options(${name} PRIVATE -ffp-contract=off $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
   target_link_options(${name} PRIVATE -Wl,-z,defs)
-  set_target_properties(${name} PROPERTIES PREFIX "" SUFFIX ".so" LIBRARY_OUTPUT_DIRECTORY ${STYLET_PLUGIN_OUTPUT_DIRECTORY})
-  set(further "")
-  if(arg_SOURCES)    # compiled once, for the library and for its test
-    set(further ${name}_sources)
-    add_library(${further} OBJECT ${arg_SOURCES})
-    target_link_libraries(${further} PUBLIC Stylet::sdk ${arg_LIBRARIES})
-    stylet_compile_for_plugin(${further})
-    set_target_properties(${further} PROPERTIES POSITION_INDEPENDENT_CODE ON)
-    target_link_libraries(${name} PRIVATE ${further})
-  endif()
+  set_target_properties(${name} PROPERTIES PREFIX "" SUFFIX ".so" CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
+    LIBRARY_OUTPUT_DIRECTORY ${STYLET_PLUGIN_OUTPUT_DIRECTORY})
   if(STYLET_SANITIZE)
     target_link_options(${name} PRIVATE -Wl,-z,undefs)    # the sanitizer's runtime lives in the executable
   endif()
@@ -31,17 +25,9 @@ function(stylet_add_plugin name)
     endif()
     return()
   endif()
-  add_executable(${name}_test ${name}_test.cpp)
-  target_link_libraries(${name}_test PRIVATE Stylet::contract ${arg_LIBRARIES} ${further})
-  target_compile_options(${name}_test PRIVATE ${STYLET_TEST_OPTIONS})
+  add_executable(${name}_test ${name}_test.cpp ${arg_SOURCES})
+  target_link_libraries(${name}_test PRIVATE Stylet::contract ${arg_LIBRARIES})
   add_dependencies(${name}_test ${name})
   target_compile_definitions(${name}_test PRIVATE STYLET_PLUGIN_FILE="$<TARGET_FILE:${name}>")
   gtest_discover_tests(${name}_test TEST_PREFIX "plugins/${name}: " DISCOVERY_TIMEOUT 60)
-endfunction()
-
-# How a plugin's own sources are compiled. g++'s unique symbols (one std::to_string is enough) would keep a library mapped after core has
-# closed it. A sum that is regrouped or fused differently in two builds would break "same scene, same recording".
-function(stylet_compile_for_plugin target)
-  target_compile_options(${target} PRIVATE -ffp-contract=off $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
-  set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
 endfunction()

@@ -31,7 +31,7 @@ written.)";
 struct PlotArguments {
     std::vector<std::string> recordings;
     std::string out;
-    std::string x, y;    // empty: what the recordings have
+    std::string x, y;    // empty: what is drawn of such recordings
     std::optional<std::string> title;
 };
 
@@ -42,23 +42,18 @@ fs::path stem_of(const PlotArguments& arguments) {
     return out.extension() == ".svg" || out.extension() == ".png" ? fs::path(out).replace_extension() : out;
 }
 
-/// The first of these columns that every recording has; the first of all where there is none.
-std::string first_there(const std::vector<std::string>& columns, const std::vector<study::Recording>& recordings) {
-    const auto there = [&](const std::string& column) {
-        return std::ranges::all_of(recordings, [&](const study::Recording& recording) {
-            return std::ranges::find(recording.columns, column, &study::RecordedColumn::name) != recording.columns.end();
-        });
-    };
-    const auto found = std::ranges::find_if(columns, there);
-    return found == columns.end() ? columns.front() : *found;
+/// Of a tissue alone.
+bool is_without_needle(const study::Recording& recording) {
+    return std::ranges::find(recording.columns, "patch_displacement", &study::RecordedColumn::name) != recording.columns.end();
 }
 
 ExitCode plot(const PlotArguments& arguments) {
     std::vector<study::Recording> recordings;
     for (const std::string& file : arguments.recordings) recordings.push_back(study::read_recording(file));
-    const std::string x = arguments.x.empty() ? first_there({"depth", "time"}, recordings) : arguments.x;
-    const std::string y = arguments.y.empty() ? first_there({"hand_force", "patch_displacement"}, recordings) : arguments.y;
-    Figure figure = figure_of(recordings, x, y);
+    const bool of_tissue = std::ranges::all_of(recordings, is_without_needle);
+    const auto or_else = [](const std::string& asked, const char* otherwise) { return asked.empty() ? otherwise : asked; };
+    Figure figure = figure_of(recordings, or_else(arguments.x, of_tissue ? "time" : "depth"),
+                              or_else(arguments.y, of_tissue ? "patch_displacement" : "hand_force"));
     if (arguments.title) figure.title = *arguments.title;
     const PictureFiles files = draw(figure, stem_of(arguments));
     fmt::print("{}\n{}\n", files.svg.string(), files.png.string());

@@ -98,7 +98,7 @@ ExitCode conduct(const StudyArguments& arguments) {
     const Interrupt interrupt;
     study::Result result = run(study, arguments, log);
     result.command = command_of(arguments);
-    if (!arguments.quiet) fmt::print("{}", study_text(result));
+    if (!arguments.quiet && !result.settings.empty()) fmt::print("{}", study_text(result));
     if (result.stopped) return stopped(arguments);
     write_file(files.with(".csv"), study_csv(result));
     const std::optional<PictureFiles> pictures = drawn(result, files.stem);

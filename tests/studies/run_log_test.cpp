@@ -62,6 +62,7 @@ TEST_F(RunLogTest, PassesOverWhatIsNoLineOfItsOwn) {
 }
 
 TEST_F(RunLogTest, IsOneStudysAtATime) {
+    write("key", {.x = {}, .y = {1.0}});
     const RunLog first(file_, false);
     try {
         const RunLog second(file_, true);
@@ -71,6 +72,7 @@ TEST_F(RunLogTest, IsOneStudysAtATime) {
                     testing::EndsWith("stylet_run_log_test.jsonl: found another study at work on it, wanted one at a "
                                       "time: wait for it, or name another folder"));
     }
+    EXPECT_GT(std::filesystem::file_size(file_), 0u) << "what the first has is not forgotten";
 }
 
 TEST_F(RunLogTest, ForgetsWhereItShall) {

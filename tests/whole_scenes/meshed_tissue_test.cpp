@@ -105,6 +105,22 @@ TEST(MeshedTissue, CreepsWithoutLosingEnergyFromTheBooks) {
     expect_sound(trace);
 }
 
+// A hand that hardly moves: what a tick changes is less than what the solver's accuracy leaves.
+TEST(MeshedTissue, KeepsItsBooksWhereANeedleHardlyMoves) {
+    constexpr double slowly = 0.1e-3, share = 1e-5;    // [m/s]; of the slow stretch's own work
+    const core::Override hand{"device.motion", "[{insert: 40 mm, speed: 50 mm/s}, {insert: 0.1 mm, speed: 0.1 mm/s}]"};
+    Stage stage(paper_scene("fig10a_l150"), {meshed, own("cells", "[6, 6, 3]"), {"effects[0].rupture_force", "0.4 N"}, hand});
+    const Trace trace = play(stage);
+    const core::Sample& last = trace.samples.back();
+    const auto slow = static_cast<std::size_t>(0.1e-3 / slowly * stage.scene().run.rate);
+    const core::Sample& first = trace.samples[trace.samples.size() - slow];
+    const double work = last.hand_work - first.hand_work, lost = last.residual - first.residual;
+    measured("work", work, "J");
+    measured("lost", lost, "J");
+    EXPECT_GT(work, 0.0);
+    EXPECT_LE(std::abs(lost), share * work);
+}
+
 TEST(MeshedTissue, ReadsAMeshWithAHardBallInIt) {
     const Trace trace = play(std::filesystem::path(SCENE_FOLDER) / "meshed/stiff_ball.yaml");
     print_events(trace);

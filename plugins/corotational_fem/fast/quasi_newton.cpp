@@ -134,11 +134,11 @@ void QuasiNewton::place(int contact, std::span<const NodeWeight> footprint) {
 }
 
 void QuasiNewton::predict(double dt) {
-    const bool waits = trial_.settled && std::exchange(polished_, false) && !motion_.implicit && !damped();
+    const bool still = std::exchange(polished_, false) && trial_.settled && !motion_.implicit && !damped();
     ahead_known_ = false;
     open_books();
     if (dt > 0.0) start_step(dt);
-    rested_ = !gather_loads() && waits && dt > 0.0;
+    rested_ = !gather_loads() && still && dt > 0.0;
 }
 
 // From the trial state on. It is not moved yet: the pairs know where it is going as well as its inertia does.
@@ -188,62 +188,73 @@ void QuasiNewton::set_forces(std::span<const double> lambda) {
 }
 
 // What other forces on the same contacts add goes through the factor alone, as the compliance that linearise told has it.
-void QuasiNewton::push(std::span<const double> lambda) {
+void QuasiNewton::push(std::span<const double> lambda, NodalVector& answer) {
     for (int i = 0; i < trial_.contacts; ++i) {
         const Eigen::Map<const Vector3> force(lambda.data() + 3 * i), before(trial_.lambda.data() + 3 * i);
         contacts_.push(i, answer_scale() * (force - before));
     }
-    panels_->backward(q_.data(), workers_);
+    panels_->backward(answer.data(), workers_);
 }
 
 // The step that is known, for other forces.
 void QuasiNewton::redirect(std::span<const double> lambda) {
-    push(lambda);
+    push(lambda, q_);
     loops_.each([&](int i) { quad(ahead_[i]) += quad(q_[i]) - quad(answer_[i]); });
     set_forces(lambda);
     balance();
     ahead_known_ = true;
 }
 
-// The step from rest: other forces are all that is out of balance, but for what accuracy has left, which may outweigh them.
+// The step from rest: other forces are all that is out of balance, but for what accuracy has left. Where that outweighs them, a
+// direction has to be found for both, and where it leads is held against what linearise told.
 void QuasiNewton::head_for(std::span<const double> lambda) {
+    constexpr double most_left = 0.5;    // of the work that the step promises
     panels_->clear();
-    push(lambda);
-    loops_.each([&](int i) { ahead_[i] = q_[i]; });
+    push(lambda, ahead_);
+    foresee();
+    const auto rows = static_cast<Eigen::Index>(lambda.size());
+    const double promised = moved_by(lambda).dot(changed_.head(rows));
     set_forces(lambda);
-    ahead_known_ = balance() > 0.0;
+    ahead_known_ = balance() > (1.0 - most_left) * promised;
 }
 
-// Whether other forces on the same contacts would move them by nothing that counts.
-bool QuasiNewton::same_to_accuracy(std::span<const double> lambda) {
-    if (lambda.size() != static_cast<std::size_t>(3 * trial_.contacts)) return false;
+// [m] By how much other forces on the same contacts would move them, by the factor; changed_ has what is other about them.
+Eigen::Ref<const VectorX> QuasiNewton::moved_by(std::span<const double> lambda) {
     const auto rows = static_cast<Eigen::Index>(lambda.size());
     const Eigen::Map<const VectorX> forces(lambda.data(), rows), before(trial_.lambda.data(), rows);
     changed_.head(rows) = forces - before;
     moved_.head(rows).noalias() = contacts_.compliance(trial_.contacts) * changed_.head(rows);
-    return moved_.head(rows).norm() <= negligible * accuracy_ * size_;
+    return moved_.head(rows);
+}
+
+// Whether other forces on the same contacts would move them by nothing that counts.
+bool QuasiNewton::same_to_accuracy(std::span<const double> lambda) {
+    return is_for_contacts(lambda) && moved_by(lambda).norm() <= negligible * accuracy_ * size_;
 }
 
 StepReport QuasiNewton::try_step(Forces forces) {
     // What single precision can't hold would stay in the solver's memory for good.
     if (!forces.cast<float>().allFinite()) return {.residual = std::numeric_limits<double>::infinity()};
     const std::span<const double> lambda(forces.data(), static_cast<std::size_t>(forces.size()));
-    if ((trial_.settled || rested_) && same_to_accuracy(lambda)) {
-        trial_.settled = true;
+    if (trial_.settled && same_to_accuracy(lambda)) {
         return {};    // λ stays what the state is in balance with, so that many such changes add up to one that counts
     }
-    const bool as_linearised = !trial_.settled && lambda.size() == static_cast<std::size_t>(3 * trial_.contacts);
-    if (as_linearised && rested_) {
+    const bool same = is_for_contacts(lambda) && std::equal(lambda.begin(), lambda.end(), trial_.lambda.begin());
+    if (rested_ && same) {
+        trial_.settled = true;
+        return {};
+    }
+    const bool foreseen = !trial_.settled && is_for_contacts(lambda) && (rested_ || ahead_known_);
+    if (foreseen && rested_) {
         head_for(lambda);
-    } else if (as_linearised && ahead_known_) {
-        if (!std::equal(lambda.begin(), lambda.end(), trial_.lambda.begin())) redirect(lambda);
+    } else if (foreseen) {
+        if (!same) redirect(lambda);
+        foresee();
     } else {
         set_forces(lambda);
         if (trial_.settled) return {};
     }
     if (!ahead_known_) balance();
-    const bool foreseen = ahead_known_;
-    if (foreseen) foresee();
     last_step_ = 0.0;
     for (int i = 0; i < most_iterations && !trial_.settled; ++i) trial_.settled = iterate();
     polished_ = trial_.settled;

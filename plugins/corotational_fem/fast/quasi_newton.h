@@ -105,8 +105,12 @@ private:
     void find_direction();
     void redirect(std::span<const double> lambda);
     void head_for(std::span<const double> lambda);
-    void push(std::span<const double> lambda);
+    void push(std::span<const double> lambda, NodalVector& answer);
+    [[nodiscard]] Eigen::Ref<const VectorX> moved_by(std::span<const double> lambda);
     [[nodiscard]] bool same_to_accuracy(std::span<const double> lambda);
+    [[nodiscard]] bool is_for_contacts(std::span<const double> lambda) const {
+        return lambda.size() == static_cast<std::size_t>(3 * trial_.contacts);
+    }
     bool iterate();
     [[nodiscard]] Step measure() const;
     void go(Step& step, double fraction);

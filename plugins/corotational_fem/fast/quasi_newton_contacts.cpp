@@ -2,9 +2,15 @@
 
 namespace stylet::corotational_fem {
 
+namespace {
+
+constexpr int worth_sharing = 1500;    // [nodes] 50 µs a sweep; few contacts move at once, so that the tasks can't be smaller
+
+}    // namespace
+
 Contacts::Contacts(Panels& panels, Workers& workers)
     : dissection_(panels.dissection()),
-      workers_(workers),
+      workers_(dissection_.places() < worth_sharing ? one_thread() : workers),
       placed_(max_contacts),
       compliance_(MatrixX::Zero(3 * max_contacts, 3 * max_contacts)) {
     asked_.reserve(max_contacts);

@@ -1,8 +1,8 @@
 // The fast solver against the plain one (solid/newton.h): the same motion, the same energies, the same answers to contacts.
 #include "fast/quasi_newton.h"
 
-#include "mesh/block_mesh.h"
-#include "mesh/meshes_for_tests.h"
+#include "fast/rest_for_tests.h"
+#include "fast/solvers_for_tests.h"
 #include "solid/newton.h"
 
 #include <gtest/gtest.h>
@@ -11,85 +11,16 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <thread>
 #include <vector>
 
 namespace stylet::corotational_fem {
 namespace {
 
+using namespace testing;
+
 constexpr double accuracy = 1e-3;
 // Of the displacements' norm, over a whole run: what the issue of this solver allows.
 constexpr double allowed = 2e-3, allowed_where_it_turns = 5e-3;
-
-const Forces no_forces(nullptr, 0);
-
-Material gel_of(double poisson_ratio) {
-    constexpr double modulus = 25e3;    // [Pa]
-    return {.shear_modulus = modulus / (2.0 * (1.0 + poisson_ratio)),
-            .lame = modulus * poisson_ratio / ((1.0 + poisson_ratio) * (1.0 - 2.0 * poisson_ratio)),
-            .density = 1000.0};
-}
-
-Motion falling(double dt) {
-    return {.implicit = true, .gravity = Vector3(0, 0, -9.81), .dt = dt};
-}
-
-// A block of gel, 100 × 80 × 50 mm, held at the bottom.
-struct Block {
-    Mesh mesh = block_mesh(gel(), {6, 5, 4});
-    std::vector<Material> materials{gel_of(0.49)};
-
-    // The mean of some nodes near the middle of the top, and one by the edge.
-    [[nodiscard]] std::vector<NodeWeight> footprint(int which) const {
-        const int top = mesh.node_count() - 7 * 6;
-        switch (which) {
-            case 0:
-                return {{top + 3 * 7 + 3, 0.5}, {top + 3 * 7 + 2, 0.3}, {top - 7 * 6 + 3 * 7 + 3, 0.2}};
-            case 1:
-                return {{top + 2 * 7 + 4, 1.0}};
-            default:
-                return {{top + 1, 0.6}, {5, 0.4}};    // partly held
-        }
-    }
-
-    // Spread over the middle of the top.
-    [[nodiscard]] std::vector<NodeForce> push(double force) const {
-        std::vector<NodeForce> forces;
-        for (int i = 0; i < mesh.node_count(); ++i) {
-            const Vector3& at = mesh.nodes[i];
-            if (at.z() > -1e-9 && at.head<2>().norm() < 0.02) forces.push_back({i, Vector3::Zero()});
-        }
-        for (NodeForce& each : forces) each.force = Vector3(0.1 * force, 0.0, -force) / static_cast<double>(forces.size());
-        return forces;
-    }
-};
-
-// Until it says that it is in balance.
-void solve(Solver& solver, Forces forces = no_forces) {
-    constexpr int most = 200;
-    VectorX free(forces.size());
-    MatrixX compliance(forces.size(), forces.size());
-    for (int tries = 0; tries < most; ++tries) {
-        solver.linearise(static_cast<int>(forces.size()) / 3, free, compliance);
-        if (solver.try_step(forces).residual == 0.0) return;
-    }
-    FAIL() << "not in balance after " << most << " tries";
-}
-
-void step(Solver& solver, double dt, Forces forces = no_forces) {
-    solver.predict(dt);
-    solve(solver, forces);
-    solver.commit();
-}
-
-double difference(const Mesh& mesh, const Solver& a, const Solver& b) {
-    double apart = 0.0, all = 0.0;
-    for (int i = 0; i < mesh.node_count(); ++i) {
-        apart += (a.displacement(i) - b.displacement(i)).squaredNorm();
-        all += b.displacement(i).squaredNorm();
-    }
-    return std::sqrt(apart / all);
-}
 
 double total(const EnergyReport& energy) {
     return energy.stored + energy.kinetic + energy.damping + energy.numerical;
@@ -258,72 +189,6 @@ TEST(QuasiNewton, MakesNoEnergy) {
     }
 }
 
-// What core does: forces such that two footprints are where the needle wants them.
-VectorX hold(Solver& solver, const VectorX& where, VectorX forces, int most) {
-    const Eigen::Index rows = where.size();
-    VectorX free(rows);
-    MatrixX compliance(rows + 8, rows);
-    for (int i = 0; i < most; ++i) {
-        solver.linearise(static_cast<int>(rows) / 3, free, compliance.topRows(rows));
-        forces = compliance.topRows(rows).ldlt().solve(where - free);
-        solve(solver, Forces(forces.data(), rows));
-    }
-    return forces;
-}
-
-TEST(QuasiNewton, AnswersContactsAsNewtonDoes) {
-    constexpr double close = 5e-3;    // of the force: the accuracy of displacements that are half gravity's
-    const Block block;
-    for (const bool implicit : {true, false}) {
-        Motion motion = falling(2e-3);
-        motion.implicit = implicit;
-        QuasiNewton fast(block.mesh, block.materials, motion, 1e-4, one_thread());
-        Newton plain(block.mesh, block.materials, motion);
-        VectorX fast_forces = VectorX::Zero(6), plain_forces = VectorX::Zero(6);
-        for (int i = 0; i < 20; ++i) {
-            VectorX where(6);
-            where << 0.0, 1e-4 * i, -4e-4 * i, -1e-4 * i, 0.0, -2e-4 * i;
-            for (Solver* each : {static_cast<Solver*>(&fast), static_cast<Solver*>(&plain)}) {
-                each->place(0, block.footprint(0));
-                each->place(1, block.footprint(1));
-                each->predict(motion.dt);
-            }
-            fast_forces = hold(fast, where, fast_forces, 2);
-            plain_forces = hold(plain, where, plain_forces, 6);
-            fast.commit();
-            plain.commit();
-            EXPECT_LT((fast_forces - plain_forces).norm(), close * plain_forces.norm() + 1e-5) << i;
-        }
-        std::printf("  held with %.3f N, %.3f by Newton\n", fast_forces.norm(), plain_forces.norm());
-    }
-}
-
-TEST(QuasiNewton, MovesFootprintsAsItsComplianceSays) {
-    constexpr double close = 2e-3;    // of half-precision blocks
-    const Block block;
-    Motion motion = falling(1e-3);
-    motion.gravity.setZero();
-    QuasiNewton fast(block.mesh, block.materials, motion, 1e-5, one_thread());
-    constexpr int contacts = 3, rows = 3 * contacts;
-    for (int i = 0; i < contacts; ++i) fast.place(i, block.footprint(i));
-    fast.predict(motion.dt);
-    VectorX free(rows);
-    MatrixX compliance(rows, rows);
-    fast.linearise(contacts, free, compliance);
-    EXPECT_EQ(free.norm(), 0.0);
-    EXPECT_EQ(compliance, compliance.transpose());
-    EXPECT_GT(compliance.ldlt().vectorD().minCoeff(), 0.0);
-    for (int k = 0; k < rows; ++k) {
-        const VectorX forces = 1e-4 * VectorX::Unit(rows, k);    // [N] so small that nothing turns
-        solve(fast, Forces(forces.data(), rows));
-        for (int i = 0; i < contacts; ++i) {
-            Vector3 moved = Vector3::Zero();
-            for (const auto& [node, weight] : block.footprint(i)) moved += weight * fast.displacement(node);
-            EXPECT_LT((moved - 1e-4 * compliance.block<3, 1>(3 * i, k)).norm(), close * 1e-4 * compliance.col(k).norm());
-        }
-    }
-}
-
 TEST(QuasiNewton, DoesNoWorkTwice) {
     const Block block;
     Motion motion = falling(1e-3);
@@ -351,46 +216,6 @@ TEST(QuasiNewton, DoesNoWorkTwice) {
     Vector3 mean = Vector3::Zero();
     for (const auto& [node, weight] : block.footprint(0)) mean += weight * fast.displacement(node);
     EXPECT_LT((free + compliance * forces - mean).norm(), 1e-6 * mean.norm());
-}
-
-// As core takes a step: a contact moves on under its old force, and then has another one.
-TEST(QuasiNewton, GoesOnFromRestWhereItsComplianceSays) {
-    constexpr double aim = 1e-3;    // of displacements: what a step leaves is made up for as the contact moves on again
-    constexpr int ticks = 20;
-    const Block block;
-    Motion motion = falling(1e-3);
-    motion.implicit = false;
-    QuasiNewton fast(block.mesh, block.materials, motion, aim, one_thread());
-    Newton plain(block.mesh, block.materials, motion);
-    VectorX force = Vector3(0.0, 0.0, -0.2), free(3);
-    MatrixX compliance(3, 3);
-    double worst = 0.0;
-    for (int i = 0; i < ticks; ++i) {
-        const double gone = static_cast<double>(i) / ticks;
-        std::vector<NodeWeight> footprint = block.footprint(0);
-        footprint[0].weight -= 0.2 * gone;
-        footprint[1].weight += 0.2 * gone;
-        for (Solver* each : {static_cast<Solver*>(&fast), static_cast<Solver*>(&plain)}) {
-            each->place(0, footprint);
-            each->predict(0.0);
-            solve(*each, Forces(force.data(), 3));
-            each->predict(motion.dt);
-        }
-        force = Vector3(0.01 * gone, 0.0, -0.2 - 0.04 * gone);    // [N] in steps of a hundredth: one iteration each
-        const long long before = fast.iterations();
-        fast.linearise(1, free, compliance);
-        EXPECT_EQ(fast.try_step(Forces(force.data(), 3)).residual, 0.0) << i;
-        EXPECT_LE(fast.iterations(), before + 1) << i;
-        Vector3 mean = Vector3::Zero();
-        for (const auto& [node, weight] : footprint) mean += weight * fast.displacement(node);
-        EXPECT_LT((free + compliance * force - mean).norm(), 1e-6 * mean.norm()) << i;
-        solve(plain, Forces(force.data(), 3));
-        fast.commit();
-        plain.commit();
-        worst = std::max(worst, difference(block.mesh, fast, plain));
-    }
-    std::printf("  at worst %.1e of Newton's displacements off, aimed at %.0e\n", worst, aim);
-    EXPECT_LT(worst, aim);
 }
 
 TEST(QuasiNewton, TakesTheLastStepAgainWithOtherForces) {
@@ -440,24 +265,9 @@ TEST(QuasiNewton, GoesBackBitForBitAndThenTheSameWayAgain) {
     }
 }
 
-// Two threads that take turns at the tasks, from both ends.
-class TwoThreads final : public Workers {
-public:
-    [[nodiscard]] int count() const override { return 2; }
-
-private:
-    void run(int tasks, Call call, void* context) noexcept override {
-        std::thread other([=] {
-            for (int i = tasks - 1; i >= 0; i -= 2) call(context, i);
-        });
-        for (int i = tasks - 2; i >= 0; i -= 2) call(context, i);
-        other.join();
-    }
-};
-
 TEST(QuasiNewton, MovesTheSameBitsOnTwoThreads) {
     const Block block;
-    TwoThreads two;
+    Threads two(2);
     for (const InstructionSet set : {InstructionSet::sse2, InstructionSet::avx2, InstructionSet::avx512}) {
         if (!supported(set)) continue;
         Motion motion = falling(1e-3);

@@ -165,6 +165,21 @@ TEST_P(ReachTest, OfFixedNodesAloneDoesNotMove) {
     EXPECT_EQ(fixed.displacement(), Vector3::Zero());
 }
 
+TEST_P(ReachTest, IsAllThatClearedPanelsKnowOf) {
+    const std::vector<NodeWeight> spot = footprint({0.0, 0.0, -0.01}), other = footprint({0.03, 0.02, 0.0});
+    const Vector3 force(0.3, -0.2, -1.0);
+    Reach reach(*panels_);
+    reach.sweep(spot);
+    panels_->forward(nodal(VectorX::Zero(3 * matrix_.rows())).data(), one_thread());
+    reach.push(force);
+    const VectorX expected = backward();
+    panels_->forward(nodal(load(other, force)).data(), one_thread());
+    panels_->clear();
+    reach.push(force);
+    EXPECT_EQ(backward(), expected);
+    EXPECT_GT(expected.norm(), 0.0);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Each, ReachTest, ::testing::Values(InstructionSet::sse2, InstructionSet::avx2, InstructionSet::avx512), [](const auto& with) {
         return std::string(with.param == InstructionSet::sse2 ? "sse2" : with.param == InstructionSet::avx2 ? "avx2" : "avx512");
