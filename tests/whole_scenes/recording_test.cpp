@@ -50,8 +50,9 @@ TEST(Tick, AllocatesNothingOnTheWayOutAndInAgain) {
 
 TEST(Tick, IsWatchedByACounterThatCounts) {
     const std::size_t before = contract::allocations();
-    const std::vector<double> some(100);
-    EXPECT_GT(contract::allocations(), before) << some.size();
+    double* const volatile some = new double[100];    // volatile: clang leaves out an allocation that nobody sees
+    EXPECT_GT(contract::allocations(), before);
+    delete[] some;
 }
 
 }    // namespace
