@@ -50,22 +50,24 @@ Outcome to_outcome(const Json& json) {
 
 RunLog::RunLog(const std::filesystem::path& file, bool forget) : file_(file), lock_(file) {
     if (file.empty()) return;
-    if (!forget) read_earlier();
+    const bool whole = forget || read_earlier();
     stream_.open(file, forget ? std::ios::trunc : std::ios::app);
-    if (!whole_) stream_ << '\n';
+    if (!whole) stream_ << '\n';
     if (!stream_) refuse(file);
 }
 
-void RunLog::read_earlier() {
+bool RunLog::read_earlier() {
+    bool whole = true;
     std::ifstream earlier(file_);
     for (std::string line; std::getline(earlier, line);) {
-        whole_ = !earlier.eof();
+        whole = !earlier.eof();
         const Json json = Json::parse(line, nullptr, false);
         try {
             if (json.is_object()) known_.insert_or_assign(json.at("key").get<std::string>(), to_outcome(json));
         } catch (const Json::exception&) {    // another version's line: measured again
         }
     }
+    return whole;
 }
 
 const Outcome* RunLog::find(const std::string& key) const {

@@ -27,12 +27,11 @@ public:
     void add(const std::string& key, const std::string& name, const Outcome& outcome);
 
 private:
-    void read_earlier();
+    bool read_earlier();    // whether its last line ends
 
     std::filesystem::path file_;
     FileLock lock_;
     std::map<std::string, Outcome> known_;
-    bool whole_ = true;    // the last line ends
     std::ofstream stream_;
     std::mutex mutex_;
 };

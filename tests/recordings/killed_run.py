@@ -16,8 +16,8 @@ RATE = 1000.0  # [Hz] ticks of simulated time
 DURATION = 10000.0  # [s] simulated: whatever the machine, a run is killed long before
 LONGEST_LIFE = 0.3  # [s] six times what the recorder waits between two writes
 ROUNDING = 1e-9  # of a time: the same number, written in decimal and read again
-# A kill within a write may cut the last row: one in three hundred was counted on a quiet machine, more on a busy one, where a process waits for its
-# turn in the middle of a write. A recorder that wrote blocks and not whole rows would cut all but one in two hundred.
+# A kill within a write may cut the last row: one in three hundred was counted on a quiet machine, more on a busy one, where a process
+# waits for its turn in the middle of a write. A recorder that wrote blocks and not whole rows would cut all but one in two hundred.
 MOST_CUT = 0.5  # of the kills
 
 

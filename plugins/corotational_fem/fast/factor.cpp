@@ -90,7 +90,7 @@ bool Factor::eliminate(int s, const BlockMatrix& matrix, Workers& workers) {
         for (int i = j; i < own; ++i) inverse(i, j) = inverse(j, i) = -front(i, j);
         for (int i = 0; i < below; ++i) to_rows(i, j) = front(own + i, j);
     }
-    updates_[s].reserve(std::size_t(below) * (below + 1) / 2);
+    updates_[s].reserve(static_cast<std::size_t>(below) * (below + 1) / 2);
     for (int j = own; j < own + below; ++j) updates_[s].insert(updates_[s].end(), &front(j, j), &front(j, j) + own + below - j);
     return true;
 }

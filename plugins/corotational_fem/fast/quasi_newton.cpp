@@ -253,8 +253,8 @@ StepReport QuasiNewton::try_step(Forces forces) {
     } else {
         set_forces(lambda);
         if (trial_.settled) return {};
+        if (!ahead_known_) balance();
     }
-    if (!ahead_known_) balance();
     last_step_ = 0.0;
     for (int i = 0; i < most_iterations && !trial_.settled; ++i) trial_.settled = iterate();
     polished_ = trial_.settled;

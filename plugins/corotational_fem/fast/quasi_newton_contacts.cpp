@@ -4,7 +4,7 @@ namespace stylet::corotational_fem {
 
 namespace {
 
-constexpr int worth_sharing = 1500;    // [nodes] 50 µs a sweep; few contacts move at once, so that the tasks can't be smaller
+constexpr int worth_sharing = 1500;    // [nodes] 90 µs a sweep; few contacts move at once, so that the tasks can't be smaller
 
 }    // namespace
 

@@ -3,6 +3,7 @@
 
 #include "mesh/block_mesh.h"
 #include "mesh/meshes_for_tests.h"
+#include "solid/test_solids.h"
 #include "solver.h"
 
 #include <gtest/gtest.h>
@@ -15,10 +16,7 @@ namespace stylet::corotational_fem::testing {
 inline const Forces no_forces(nullptr, 0);
 
 inline Material gel_of(double poisson_ratio) {
-    constexpr double modulus = 25e3;    // [Pa]
-    return {.shear_modulus = modulus / (2.0 * (1.0 + poisson_ratio)),
-            .lame = modulus * poisson_ratio / ((1.0 + poisson_ratio) * (1.0 - 2.0 * poisson_ratio)),
-            .density = 1000.0};
+    return elastic(25e3, poisson_ratio, 1000.0);
 }
 
 inline Motion falling(double dt) {
